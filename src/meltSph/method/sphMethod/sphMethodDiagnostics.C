@@ -1,0 +1,176 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "sphMethod.H"
+#include "blockSum.H"
+#include "fvMesh.H"
+#include "Time.H"
+
+#include <cmath>
+
+Foam::point Foam::melt::sphMethod::centreOfMass() const
+{
+    const particles& f = system_.fluid;
+    const int n = f.size();
+    const scalar mass = blockSum(n, [&](const int i) { return f.m[i]; });
+
+    return point
+    (
+        blockSum(n, [&](const int i) { return f.m[i]*f.x[i]; }),
+        blockSum(n, [&](const int i) { return f.m[i]*f.y[i]; }),
+        blockSum(n, [&](const int i) { return f.m[i]*f.z[i]; })
+    )/max(mass, VSMALL);
+}
+
+
+Foam::scalar Foam::melt::sphMethod::potentialEnergy() const
+{
+    const particles& f = system_.fluid;
+    const std::array<double, 3>& g = system_.g;
+
+    return -blockSum
+    (
+        f.size(),
+        [&](const int i)
+        {
+            return f.m[i]*(g[0]*f.x[i] + g[1]*f.y[i] + g[2]*f.z[i]);
+        }
+    );
+}
+
+
+void Foam::melt::sphMethod::readSums()
+{
+    sums_.readIfPresent("heatIn", heatIn_);
+    sums_.readIfPresent("heatOut", heatOut_);
+    sums_.readIfPresent("initialPotentialEnergy", initialPotentialEnergy_);
+    sums_.readIfPresent("escapedMass", escapedMass_);
+    sums_.readIfPresent("initialCentre", initialCentre_);
+}
+
+
+void Foam::melt::sphMethod::writeSums()
+{
+    sums_.set("heatIn", heatIn_);
+    sums_.set("heatOut", heatOut_);
+    sums_.set("initialPotentialEnergy", initialPotentialEnergy_);
+    sums_.set("escapedMass", escapedMass_);
+    sums_.set("initialCentre", initialCentre_);
+    sums_.instance() = mesh_.time().timeName();
+    sums_.regIOobject::write();
+}
+
+
+Foam::melt::meltDiagnostics Foam::melt::sphMethod::diagnostics() const
+{
+    const particles& f = system_.fluid;
+    const int n = f.size();
+    const enthalpyCurve curve = scene_.thermo().enthalpy();
+    const scalar rho0 = scene_.thermo().rho();
+    const scalar c = system_.soundSpeed;
+
+    meltDiagnostics d;
+    if (n == 0)
+    {
+        return d;
+    }
+
+    const auto sum = [&](auto&& value) { return blockSum(n, value); };
+    const auto highest = [&](auto&& value) { return parallelMax(n, value); };
+
+    d.mass = sum([&](const int i) { return f.m[i]; });
+    d.volume = sum([&](const int i) { return f.m[i]/f.rho[i]; });
+    d.meltedFraction =
+        sum
+        (
+            [&](const int i) { return f.m[i]*curve.liquidFraction(f.h[i]); }
+        )/d.mass;
+    d.centreOfMass = centreOfMass();
+    d.bounds = boundBox
+    (
+        point
+        (
+           -highest([&](const int i) { return -f.x[i]; }),
+           -highest([&](const int i) { return -f.y[i]; }),
+           -highest([&](const int i) { return -f.z[i]; })
+        ),
+        point
+        (
+            highest([&](const int i) { return f.x[i]; }),
+            highest([&](const int i) { return f.y[i]; }),
+            highest([&](const int i) { return f.z[i]; })
+        )
+    );
+
+    const vector& g = scene_.g();
+    const vector up = mag(g) > 0 ? vector(-g/mag(g)) : vector(0, 0, 1);
+    const auto upwards = [&](const int i)
+    {
+        return f.x[i]*up.x() + f.y[i]*up.y() + f.z[i]*up.z();
+    };
+    d.height =
+        highest(upwards)
+      + highest([&](const int i) { return -upwards(i); });
+    d.frontRadius = highest
+    (
+        [&](const int i)
+        {
+            const vector away(point(f.x[i], f.y[i], f.z[i]) - initialCentre_);
+            return mag(away - (away & up)*up);
+        }
+    );
+
+    const auto speed2 = [&](const int i)
+    {
+        return f.u[i]*f.u[i] + f.v[i]*f.v[i] + f.w[i]*f.w[i];
+    };
+    d.kineticEnergy =
+        sum([&](const int i) { return 0.5*f.m[i]*speed2(i); });
+    d.thermalEnergy = sum([&](const int i) { return f.m[i]*f.h[i]; });
+    d.potentialEnergy = potentialEnergy();
+    d.elasticEnergy = sum
+    (
+        [&](const int i)
+        {
+            // Integral of p/rho^2 from rho0, where p >= 0
+            const double r = f.rho[i]/rho0;
+            return f.p[i] > 0 ? f.m[i]*c*c*(std::log(r) + 1/r - 1) : 0;
+        }
+    );
+    d.workOfGravity = initialPotentialEnergy_ - d.potentialEnergy;
+    d.heatIn = heatIn_;
+    d.heatOut = heatOut_;
+    d.maxU = std::sqrt(highest(speed2));
+    d.maxT = highest([&](const int i) { return curve.T(f.h[i]); });
+    d.minT = -highest([&](const int i) { return -curve.T(f.h[i]); });
+    return d;
+}
+
+
+void Foam::melt::sphMethod::report(Ostream& os) const
+{
+    const particles& f = system_.fluid;
+    const int n = f.size();
+    const scalar rho0 = scene_.thermo().rho();
+    const scalar densityError = n ? parallelMax
+    (
+        n,
+        [&](const int i) { return std::abs(f.rho[i]/rho0 - 1); }
+    ) : 0;
+
+    os  << "SPH: " << n << " particles, "
+        << scalar(system_.near.fluid().nPairs())/max(n, 1)
+        << " neighbours listed a particle, lists built "
+        << label(system_.near.nBuilds()) << " times, "
+        << label((f.bytes() + system_.near.bytes())/max(n, 1))
+        << " bytes a particle" << nl
+        << "     sound " << system_.soundSpeed << " m/s, density within "
+        << 100*densityError << " %, put back at walls "
+        << scheme_->wallContacts() << " times, escaped " << escapedMass_
+        << " kg" << nl;
+}
+
+// ************************************************************************* //

@@ -1,0 +1,149 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "cellGrid.H"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+int Foam::melt::cellGrid::coordinate
+(
+    const double position,
+    const int axis
+) const
+{
+    return int(std::floor((position - origin_[axis])*inverseCell_));
+}
+
+
+void Foam::melt::cellGrid::sort
+(
+    const double* x, const double* y, const double* z, const int n,
+    const double cellSize, std::vector<int>& order
+)
+{
+    const std::array<const double*, 3> position{x, y, z};
+    std::array<double, 3> high;
+
+    inverseCell_ = 1/cellSize;
+    double nCells = 1;
+    for (int a = 0; a < 3; ++a)
+    {
+        origin_[a] = n ? *std::min_element(position[a], position[a] + n) : 0;
+        high[a] = n ? *std::max_element(position[a], position[a] + n) : 0;
+        const double cells =
+            std::floor((high[a] - origin_[a])*inverseCell_) + 1;
+        nCells *= cells;
+        if (!(nCells < 2e9))
+        {
+            throw std::runtime_error
+            (
+                "particles spread over too many cells: one of them has left"
+                " the scene or its position is not a number"
+            );
+        }
+        n_[a] = int(cells);
+    }
+
+    axis_ = {0, 1, 2};
+    std::stable_sort
+    (
+        axis_.begin(), axis_.end(),
+        [&](const int a, const int b) { return n_[a] < n_[b]; }
+    );
+
+    const auto cellOf = [&](const int i)
+    {
+        const auto c = [&](const int k)
+        {
+            return coordinate(position[axis_[k]][i], axis_[k]);
+        };
+        return (c(2)*n_[axis_[1]] + c(1))*n_[axis_[0]] + c(0);
+    };
+
+    // Counting sort
+    std::vector<int> cell(n);
+    #pragma omp parallel for schedule(static)
+    for (int i = 0; i < n; ++i)
+    {
+        cell[i] = cellOf(i);
+    }
+
+    start_.assign(std::size_t(nCells) + 1, 0);
+    for (int i = 0; i < n; ++i)
+    {
+        ++start_[cell[i] + 1];
+    }
+    for (std::size_t c = 1; c < start_.size(); ++c)
+    {
+        start_[c] += start_[c - 1];
+    }
+
+    order.resize(n);
+    for (int i = 0; i < n; ++i)
+    {
+        order[start_[cell[i]]++] = i;
+    }
+    std::copy_backward(start_.begin(), start_.end() - 1, start_.end());
+    start_[0] = 0;
+}
+
+
+int Foam::melt::cellGrid::neighbourRuns
+(
+    const double x, const double y, const double z,
+    std::array<range, 9>& runs
+) const
+{
+    const std::array<double, 3> position{x, y, z};
+    std::array<int, 3> low, high;
+    for (int k = 0; k < 3; ++k)
+    {
+        const int a = axis_[k];
+        const int c = coordinate(position[a], a);
+        low[k] = std::max(c - 1, 0);
+        high[k] = std::min(c + 1, n_[a] - 1);
+        if (low[k] > high[k])
+        {
+            return 0;
+        }
+    }
+
+    int count = 0;
+    for (int slow = low[2]; slow <= high[2]; ++slow)
+    {
+        for (int middle = low[1]; middle <= high[1]; ++middle)
+        {
+            const int row = (slow*n_[axis_[1]] + middle)*n_[axis_[0]];
+            const range run{start_[row + low[0]], start_[row + high[0] + 1]};
+            if (run.begin < run.end)
+            {
+                runs[count++] = run;
+            }
+        }
+    }
+    return count;
+}
+
+
+int Foam::melt::cellGrid::reach() const
+{
+    // The 27 cells around a cell span at most this many cells of the sorted
+    // order, before as behind
+    const int span = (n_[axis_[1]] + 1)*n_[axis_[0]] + 1;
+    const int nCells = int(start_.size()) - 1;
+
+    int longest = 0;
+    for (int c = 0; c < nCells; ++c)
+    {
+        const int last = std::min(c + span, nCells - 1);
+        longest = std::max(longest, start_[last + 1] - start_[c]);
+    }
+    return longest;
+}
+
+// ************************************************************************* //

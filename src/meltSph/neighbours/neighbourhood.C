@@ -1,0 +1,83 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "neighbourhood.H"
+
+void Foam::melt::neighbourhood::setWalls(wallState& walls)
+{
+    std::vector<int> order;
+    wallGrid_.sort
+    (
+        walls.x.data(), walls.y.data(), walls.z.data(), int(walls.size()),
+        radius(), order
+    );
+
+    const auto permute = [&](auto& a)
+    {
+        auto sorted = a;
+        for (std::size_t i = 0; i < order.size(); ++i)
+        {
+            sorted[i] = a[order[i]];
+        }
+        a.swap(sorted);
+    };
+    for
+    (
+        wallState::array* a :
+        {
+            &walls.x, &walls.y, &walls.z,
+            &walls.nx, &walls.ny, &walls.nz, &walls.offset, &walls.volume,
+            &walls.wallU, &walls.wallV, &walls.wallW,
+            &walls.u, &walls.v, &walls.w, &walls.p,
+            &walls.heatTransfer, &walls.T
+        }
+    )
+    {
+        permute(*a);
+    }
+    permute(walls.slip);
+    permute(walls.patch);
+    permute(walls.face);
+}
+
+
+void Foam::melt::neighbourhood::build(particles& fluid, const wallState& walls)
+{
+    std::vector<int> order;
+    grid_.sort
+    (
+        fluid.x.data(), fluid.y.data(), fluid.z.data(), fluid.size(),
+        radius(), order
+    );
+    fluid.permute(order);
+
+    fluid_.buildSelf
+    (
+        fluid.x.data(), fluid.y.data(), fluid.z.data(), fluid.size(),
+        grid_, radius()
+    );
+
+    if (walls.size())
+    {
+        walls_.build
+        (
+            fluid.x.data(), fluid.y.data(), fluid.z.data(), fluid.size(),
+            walls.x.data(), walls.y.data(), walls.z.data(),
+            wallGrid_, radius()
+        );
+        fluidOfWalls_.build
+        (
+            walls.x.data(), walls.y.data(), walls.z.data(), int(walls.size()),
+            fluid.x.data(), fluid.y.data(), fluid.z.data(),
+            grid_, radius()
+        );
+    }
+
+    moved_ = 0;
+    ++nBuilds_;
+}
+
+// ************************************************************************* //

@@ -1,0 +1,83 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "linearEquationOfState.H"
+#include "addToRunTimeSelectionTable.H"
+#include "blockSum.H"
+#include "checkedEntry.H"
+#include "dimensionSets.H"
+#include "pressureForce.H"
+
+namespace Foam
+{
+namespace melt
+{
+    defineTypeNameAndDebug(linearEquationOfState, 0);
+    addToRunTimeSelectionTable(rateTerm, linearEquationOfState, dictionary);
+}
+}
+
+
+Foam::melt::linearEquationOfState::linearEquationOfState
+(
+    const dictionary& dict,
+    sphSystem& system
+)
+:
+    rateTerm(system),
+    c_
+    (
+        checkedEntry::get
+        (
+            dict, "speedOfSound", dimVelocity, checkedEntry::positive()
+        )
+    ),
+    tension_(dict.getOrDefault("tension", false))
+{
+    system_.soundSpeed = c_;
+}
+
+
+void Foam::melt::linearEquationOfState::prepare()
+{
+    particles& f = system_.fluid;
+    const int n = f.size();
+    const double rho0 = system_.thermo.rho();
+    const double lowest = tension_ ? -GREAT : 0;
+
+    #pragma omp parallel for simd schedule(static)
+    for (int i = 0; i < n; ++i)
+    {
+        f.p[i] = std::max(lowest, c_*c_*(f.rho[i] - rho0));
+    }
+}
+
+
+void Foam::melt::linearEquationOfState::addRates()
+{
+    addPressureForce(system_.near, system_.walls, system_.fluid);
+}
+
+
+void Foam::melt::linearEquationOfState::limit(timeStepControl& control) const
+{
+    const particles& f = system_.fluid;
+    const double maxSpeed2 = parallelMax
+    (
+        f.size(),
+        [&](const int i)
+        {
+            return f.u[i]*f.u[i] + f.v[i]*f.v[i] + f.w[i]*f.w[i];
+        }
+    );
+    control.limit
+    (
+        "acoustic",
+        system_.near.kernel().h()/(c_ + std::sqrt(max(maxSpeed2, scalar(0))))
+    );
+}
+
+// ************************************************************************* //

@@ -1,0 +1,114 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "sphEquations.H"
+#include "blockSum.H"
+#include "velocityGradient.H"
+#include "wallExtrapolation.H"
+
+Foam::melt::sphEquations::sphEquations
+(
+    const dictionary& dict,
+    const effectSwitches& effects,
+    sphSystem& system
+)
+:
+    system_(system),
+    control_(dict.subDict("timeStep"))
+{
+    const auto add = [&](const word& role)
+    {
+        terms_.append(rateTerm::New(dict.subDict(role), system_));
+    };
+
+    add("pressure");
+    add("viscosity");
+    if (effects("heatConduction"))
+    {
+        add("heat");
+    }
+    for (const word& role : {"artificialViscosity", "XSPH"})
+    {
+        if (effects(role) && dict.found(role))
+        {
+            add(role);
+        }
+    }
+}
+
+
+void Foam::melt::sphEquations::allocate()
+{
+    for (rateTerm& term : terms_)
+    {
+        term.allocate();
+    }
+}
+
+
+void Foam::melt::sphEquations::evaluate()
+{
+    particles& f = system_.fluid;
+    const int n = f.size();
+    const enthalpyCurve curve = system_.thermo.enthalpy();
+    const bool heat = !f.dH.empty();
+
+    #pragma omp parallel for schedule(static)
+    for (int i = 0; i < n; ++i)
+    {
+        f.V[i] = f.m[i]/f.rho[i];
+        f.ax[i] = system_.g[0];
+        f.ay[i] = system_.g[1];
+        f.az[i] = system_.g[2];
+        if (heat)
+        {
+            f.T[i] = curve.T(f.h[i]);
+        }
+    }
+
+    for (rateTerm& term : terms_)
+    {
+        term.prepare();
+    }
+    wallExtrapolation(system_.near, f, system_.g, system_.walls);
+    velocityGradient(system_.near, system_.walls, f, system_.deformation);
+    for (rateTerm& term : terms_)
+    {
+        term.addRates();
+    }
+}
+
+
+const Foam::melt::timeStepControl& Foam::melt::sphEquations::limits()
+{
+    const particles& f = system_.fluid;
+
+    control_.reset();
+    for (const rateTerm& term : terms_)
+    {
+        term.limit(control_);
+    }
+
+    const double maxA2 = parallelMax
+    (
+        f.size(),
+        [&](const int i)
+        {
+            return f.ax[i]*f.ax[i] + f.ay[i]*f.ay[i] + f.az[i]*f.az[i];
+        }
+    );
+    if (maxA2 > 0)
+    {
+        control_.limit
+        (
+            "force",
+            std::sqrt(system_.near.kernel().h()/std::sqrt(maxA2))
+        );
+    }
+    return control_;
+}
+
+// ************************************************************************* //

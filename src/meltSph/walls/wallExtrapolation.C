@@ -1,0 +1,79 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "wallExtrapolation.H"
+
+#include <algorithm>
+
+void Foam::melt::wallExtrapolation
+(
+    const neighbourhood& near,
+    const particles& f,
+    const std::array<double, 3>& g,
+    wallState& walls
+)
+{
+    near.kernel().visit([&](const auto& W)
+    {
+        near.fluidOfWalls().forEach([&](const int i, const auto& row)
+        {
+            if (row.size() == 0)
+            {
+                return;
+            }
+
+            double weight = 0, p = 0, u = 0, v = 0, w = 0;
+            for (int k = 0; k < row.size(); ++k)
+            {
+                const int j = row[k];
+                const double dx = walls.x[i] - f.x[j];
+                const double dy = walls.y[i] - f.y[j];
+                const double dz = walls.z[i] - f.z[j];
+                const double c = W.value(dx*dx + dy*dy + dz*dz);
+                weight += c;
+                p += c
+                   *(f.p[j] + f.rho[j]*(g[0]*dx + g[1]*dy + g[2]*dz));
+                u += c*f.u[j];
+                v += c*f.v[j];
+                w += c*f.w[j];
+            }
+            if (weight == 0)
+            {
+                // All of them within the skin
+                walls.p[i] = 0;
+                walls.u[i] = walls.wallU[i];
+                walls.v[i] = walls.wallV[i];
+                walls.w[i] = walls.wallW[i];
+                return;
+            }
+
+            walls.p[i] = std::max(0.0, p/weight);
+            u /= weight;
+            v /= weight;
+            w /= weight;
+            if (walls.slip[i])
+            {
+                const double turned = 2
+                   *(
+                        walls.nx[i]*(u - walls.wallU[i])
+                      + walls.ny[i]*(v - walls.wallV[i])
+                      + walls.nz[i]*(w - walls.wallW[i])
+                    );
+                walls.u[i] = u - turned*walls.nx[i];
+                walls.v[i] = v - turned*walls.ny[i];
+                walls.w[i] = w - turned*walls.nz[i];
+            }
+            else
+            {
+                walls.u[i] = 2*walls.wallU[i] - u;
+                walls.v[i] = 2*walls.wallV[i] - v;
+                walls.w[i] = 2*walls.wallW[i] - w;
+            }
+        });
+    });
+}
+
+// ************************************************************************* //
