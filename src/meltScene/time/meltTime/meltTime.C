@@ -159,24 +159,24 @@ Foam::scalar Foam::melt::meltTime::advance(const scalar maxDeltaT)
 
 void Foam::melt::meltTime::writeChecked()
 {
-    if (!writeTime())
-    {
-        return;
-    }
-
-    const bool written = write();
+    const bool existed = isDir(timePath());
+    const bool written = writeNow();
     const fileName incomplete(writtenFiles::firstIncomplete(timePath()));
 
     if (!returnReduce(written && incomplete.empty(), andOp<bool>()))
     {
-        rmDir(timePath());
+        if (!existed)
+        {
+            rmDir(timePath());
+        }
 
         FatalErrorInFunction
             << "Cannot write time " << timeName() << ": "
             << (incomplete.empty() ? timePath() : incomplete)
             << " is incomplete." << nl
-            << "Is the disk full? The time directory has been removed, earlier"
-            << " ones are as they were." << exit(FatalError);
+            << "Is the disk full? Earlier times are as they were"
+            << (existed ? "." : ", this one has been removed.")
+            << exit(FatalError);
     }
 }
 
