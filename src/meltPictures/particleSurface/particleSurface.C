@@ -42,6 +42,15 @@ scalar readRadius(const dictionary& dict)
 }
 
 
+scalar readShading(const dictionary& dict)
+{
+    return dict.getCheckOrDefault<scalar>
+    (
+        "shading", 4, [](const scalar r) { return r >= 1; }
+    );
+}
+
+
 scalar readVoxel(const dictionary& dict)
 {
     return dict.getCheckOrDefault<scalar>
@@ -74,6 +83,13 @@ Foam::melt::particleSurface::particleSurface
     spacing_(volumes.empty() ? 1 : Foam::cbrt(average(volumes))),
     radius_(readRadius(dict)*spacing_),
     cloud_(positions.size(), data(positions), volumes.cdata(), radius_),
+    shading_
+    (
+        positions.size(),
+        data(positions),
+        volumes.cdata(),
+        readShading(dict)*spacing_
+    ),
     mesh_
     (
         characteristicSurface
@@ -139,7 +155,10 @@ Foam::triFaceList Foam::melt::particleSurface::triangles() const
 
 Foam::vectorField Foam::melt::particleSurface::normals() const
 {
-    return toVectorField(cloud_.normals(mesh_.nPoints(), mesh_.points.data()));
+    return toVectorField
+    (
+        shading_.normals(mesh_.nPoints(), mesh_.points.data())
+    );
 }
 
 

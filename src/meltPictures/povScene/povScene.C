@@ -130,7 +130,7 @@ void Foam::melt::povScene::writeLights(Ostream& os) const
         << "    " << text(distance*key).c_str() << " rgb 1.0" << nl
         << "    area_light " << text(size*distance*across).c_str() << ' '
         << text(size*distance*along).c_str()
-        << " 5 5 adaptive 1 jitter" << nl
+        << " 5 5 adaptive 0 jitter" << nl
         << "    parallel point_at 0" << nl
         << '}' << nl
         << "light_source" << nl << '{' << nl
@@ -174,7 +174,7 @@ void Foam::melt::povScene::writeMaterial(Ostream& os) const
            (
                "gloss", 0.3, scalarMinMax(0, 1)
            )
-        << " roughness 0.03" << nl
+        << " roughness 0.05" << nl
         << "}" << nl
         << "#declare Colours = color_map" << nl << '{' << nl;
     for (label i = 0; i < nColours; ++i)
@@ -292,7 +292,7 @@ void Foam::melt::povScene::writeOptions(Ostream& os) const
         << "Display=Off" << nl
         << "Output_File_Type=N" << nl
         << "Antialias=On" << nl
-        << "Antialias_Threshold=0.1" << nl
+        << "Antialias_Threshold=0.2" << nl
         << "Antialias_Depth=2" << nl
         << "Sampling_Method=2" << nl;
 }
