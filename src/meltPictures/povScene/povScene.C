@@ -300,7 +300,9 @@ void Foam::melt::povScene::writeOptions(Ostream& os) const
 
 void Foam::melt::povScene::writeStage(Ostream& os) const
 {
-    os  << "#version 3.7;" << nl
+    os  << "// " << camera_.width() << " x " << camera_.height() << " pixels"
+        << nl
+        << "#version 3.7;" << nl
         << "global_settings { assumed_gamma 1 max_trace_level 3 }" << nl << nl;
     writeCamera(os);
     writeLights(os);
