@@ -15,6 +15,7 @@
 
 #include <numeric>
 #include <random>
+#include <unistd.h>
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
