@@ -5,11 +5,12 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallConditions.H"
-#include "fvMesh.H"
 #include "Function1.H"
 #include "localIOdictionary.H"
+#include "polyMesh.H"
 #include "symmetryPlanePolyPatch.H"
 #include "symmetryPolyPatch.H"
+#include "Time.H"
 #include "wallPolyPatch.H"
 #include "checkedEntry.H"
 
@@ -25,7 +26,7 @@ using melt::wallCondition;
 //- File of a field at the start time or, on a restart, an earlier one
 localIOdictionary fieldFile
 (
-    const fvMesh& mesh,
+    const polyMesh& mesh,
     const word& name,
     const word& className
 )
@@ -196,7 +197,7 @@ void readTemperature
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::melt::wallConditions::wallConditions(const fvMesh& mesh)
+Foam::melt::wallConditions::wallConditions(const polyMesh& mesh)
 :
     conditions_(mesh.boundaryMesh().size())
 {

@@ -33,19 +33,28 @@ constexpr Foam::label blockSize = 256;
 //  ln(D): it rises from J + 1 to one maximum and falls thereafter
 double etaStarMax(const Foam::melt::SouzaMendesDutraCoeffs& coeffs, double J)
 {
+    const double n = coeffs.n;
     const double ratio = 0.5*(std::sqrt(5.0) - 1);
     const auto eta = [&](double lnD) { return coeffs.etaStar(std::exp(lnD), J); };
 
-    // Below, the rise D^n is lost in J + 1; above, the fall has begun
-    double low = -100/coeffs.n;
-    double high = 10;
+    // Where (1 - (J+1)D/2)(1 + D^n), the law at small D, has its maximum; if
+    // that is so close to zero that D^n is lost in round-off, so is the rise
+    const double lnSmallest = -700;
+    const double lnD =
+        n < 1 ? std::max(lnSmallest, std::log(2*n/(J + 1))/(1 - n))
+      : J < 1 ? 0 : lnSmallest;
+
+    double low = std::min(lnD, 0.0) - 5/n;
+    double high = std::max(lnD + 5, 5.0);
 
     // Each iteration takes off 38 %: enough to reach round-off
     for (int iteration = 0; iteration < 100; ++iteration)
     {
         const double a = high - ratio*(high - low);
         const double b = low + ratio*(high - low);
-        (eta(a) < eta(b) ? low : high) = (eta(a) < eta(b) ? a : b);
+        const bool rising = eta(a) < eta(b);
+
+        (rising ? low : high) = rising ? a : b;
     }
 
     return std::max(J + 1, eta(0.5*(low + high)));

@@ -6,6 +6,7 @@
 
 #include "ArrheniusLaw.H"
 #include "checkedEntry.H"
+#include "sigFpe.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -47,7 +48,9 @@ Foam::melt::ArrheniusLaw::ArrheniusLaw
 {
     checkedEntry::check(dict, "reference", reference_, accepted);
 
-    // The ends of the law: the coldest and the hottest of temperatures
+    // The ends of the law: the coldest and the hottest of temperatures; an
+    // overflow there is answered as wrong input
+    const sigFpe::ignore overflow;
     checkedEntry::check(dict, "Ta", value(TFloor_), accepted);
     checkedEntry::check(dict, "Ta", value(VGREAT), accepted);
 }
