@@ -107,7 +107,8 @@ void Foam::melt::geometryFile::run
 (
     const stringList& command,
     const string& remedy,
-    const dictionary& dict
+    const dictionary& dict,
+    const fileName& unfinished
 )
 {
     if (!dynamicCode::allowSystemOperations)
@@ -123,6 +124,10 @@ void Foam::melt::geometryFile::run
     if (Pstream::master())
     {
         status = Foam::system(command);
+        if (status != 0)
+        {
+            rm(unfinished);
+        }
     }
     Pstream::scatter(status);
 

@@ -107,7 +107,8 @@ static fileName meshedSurface(const fileName& script, const dictionary& dict)
             command,
             "see its messages above; is the program gmsh installed (package"
             " gmsh), and may the directory be written?",
-            dict
+            dict,
+            part
         );
 
         if (Pstream::master())

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -75,30 +77,26 @@ static latticeCoordinates covering
 }
 
 
-//- Call f with the points of each layer of the lattice, until it returns true;
-//  return whether it did
-template<class Function>
-static bool anyLayer(const latticeCoordinates& lattice, const Function& f)
+//- Points of the lattice
+static pointField pointsOf(const latticeCoordinates& lattice)
 {
+    pointField points
+    (
+        lattice[0].size()*lattice[1].size()*lattice[2].size()
+    );
+    label pointi = 0;
     for (const scalar z : lattice[2])
     {
-        pointField layer(lattice[0].size()*lattice[1].size());
-        label pointi = 0;
         for (const scalar y : lattice[1])
         {
             for (const scalar x : lattice[0])
             {
-                layer[pointi++] = point(x, y, z);
+                points[pointi++] = point(x, y, z);
             }
-        }
-
-        if (f(layer))
-        {
-            return true;
         }
     }
 
-    return false;
+    return points;
 }
 
 
@@ -124,30 +122,21 @@ static scalarField filling
     );
 
     scalarField share(points.size(), Zero);
-    label nOffsets = 0;
-    anyLayer
-    (
-        offsets,
-        [&](const pointField& layer)
+    for (const point& offset : pointsOf(offsets))
+    {
+        const boolList inside(body.inside(points + offset));
+        forAll(share, pointi)
         {
-            for (const point& offset : layer)
-            {
-                const boolList inside(body.inside(points + offset));
-                forAll(share, pointi)
-                {
-                    share[pointi] += inside[pointi];
-                }
-                ++nOffsets;
-            }
-            return false;
+            share[pointi] += inside[pointi];
         }
-    );
+    }
 
-    return share/nOffsets;
+    return share/pow3(scalar(nAlongCell));
 }
 
 
-//- The first n points in the order of falling filling; their own order stays
+//- The n points whose cells are filled most. Of those that are filled alike,
+//  the dropped ones are spread evenly, not taken from one side
 static pointField fullest
 (
     const shape& body,
@@ -158,17 +147,35 @@ static pointField fullest
 {
     const scalarField share(filling(body, points, spacing));
 
-    labelList order(identity(points.size()));
-    std::stable_sort
-    (
-        order.begin(),
-        order.end(),
-        [&](const label i, const label j) { return share[i] > share[j]; }
-    );
-    order.resize(n);
-    std::sort(order.begin(), order.end());
+    scalarField falling(share);
+    std::sort(falling.begin(), falling.end(), std::greater<scalar>());
+    const scalar least = falling[n - 1];
 
-    return pointField(points, order);
+    const std::int64_t nAlike =
+        std::count(share.begin(), share.end(), least);
+    const std::int64_t nKept =
+        n - (std::find(falling.begin(), falling.end(), least) - falling.begin());
+
+    DynamicList<label> labels(n);
+    std::int64_t alikei = 0;
+    forAll(share, pointi)
+    {
+        if (share[pointi] > least)
+        {
+            labels.append(pointi);
+        }
+        else if (share[pointi] == least)
+        {
+            // As often as the quotient steps, that is nKept times
+            if ((alikei + 1)*nKept/nAlike > alikei*nKept/nAlike)
+            {
+                labels.append(pointi);
+            }
+            ++alikei;
+        }
+    }
+
+    return pointField(points, labels);
 }
 
 } // End namespace shapeFill
@@ -192,25 +199,19 @@ Foam::pointField Foam::melt::shapeFill::fill
             << " is not positive" << exit(FatalError);
     }
 
-    DynamicList<point> points;
-    anyLayer
-    (
-        covering(body.bounds(), spacing, g),
-        [&](const pointField& layer)
-        {
-            const boolList inside(body.inside(layer));
-            forAll(layer, pointi)
-            {
-                if (inside[pointi])
-                {
-                    points.append(layer[pointi]);
-                }
-            }
-            return false;
-        }
-    );
+    const pointField points(pointsOf(covering(body.bounds(), spacing, g)));
+    const boolList inside(body.inside(points));
 
-    return pointField(std::move(points));
+    DynamicList<label> labels(points.size());
+    forAll(points, pointi)
+    {
+        if (inside[pointi])
+        {
+            labels.append(pointi);
+        }
+    }
+
+    return pointField(points, labels);
 }
 
 
@@ -321,23 +322,18 @@ bool Foam::melt::shapeFill::overlap
         lattice[d] = coordinates(both.min()[d] + 0.5*span[d]/n, span[d]/n, n);
     }
 
-    return anyLayer
-    (
-        lattice,
-        [&](const pointField& layer)
+    const pointField points(pointsOf(lattice));
+    const boolList insideA(a.inside(points));
+    const boolList insideB(b.inside(points));
+    forAll(points, pointi)
+    {
+        if (insideA[pointi] && insideB[pointi])
         {
-            const boolList insideA(a.inside(layer));
-            const boolList insideB(b.inside(layer));
-            forAll(layer, pointi)
-            {
-                if (insideA[pointi] && insideB[pointi])
-                {
-                    return true;
-                }
-            }
-            return false;
+            return true;
         }
-    );
+    }
+
+    return false;
 }
 
 
