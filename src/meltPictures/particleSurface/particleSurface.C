@@ -7,6 +7,7 @@
 #include "particleSurface.H"
 #include "characteristicSurface.H"
 #include "DynamicList.H"
+#include "triFace.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -141,13 +142,13 @@ Foam::pointField Foam::melt::particleSurface::points() const
 }
 
 
-Foam::triFaceList Foam::melt::particleSurface::triangles() const
+Foam::faceList Foam::melt::particleSurface::faces() const
 {
-    triFaceList result(mesh_.nTriangles());
+    faceList result(mesh_.nTriangles());
     forAll(result, i)
     {
         const int* t = &mesh_.triangles[3*i];
-        result[i] = triFace(t[0], t[1], t[2]);
+        result[i] = triFace(t[0], t[1], t[2]).triFaceFace();
     }
     return result;
 }

@@ -25,6 +25,16 @@ using namespace Foam;
 constexpr label nColours = 256;
 
 
+//- From the middle of the scene, in picture units: far
+constexpr scalar lampDistance = 40;
+
+//- Of the lamp without shadows, relative to the other
+constexpr scalar fillBrightness = 0.3;
+
+//- Brightness of the floor in full shadow, relative to the background
+constexpr scalar shadowBrightness = 0.45;
+
+
 //- Height of the floor, far below for "none"
 scalar readFloor
 (
@@ -89,54 +99,64 @@ void Foam::melt::povScene::writeCamera(Ostream& os) const
 }
 
 
-void Foam::melt::povScene::writeLights(Ostream& os) const
+Foam::vector Foam::melt::povScene::towards
+(
+    const scalar azimuth,
+    const scalar elevation
+) const
 {
     const vector& up = camera_.vertical();
-    const vector toCamera(-camera_.direction());
-    const vector front(normalised(toCamera - (toCamera & up)*up));
+    const vector front(normalised(camera_.right() ^ up));
+    const scalar a = degToRad(azimuth);
+    const scalar e = degToRad(elevation);
+    return cos(e)*(cos(a)*front + sin(a)*camera_.right()) + sin(e)*up;
+}
 
-    // As bearing(), from the camera's own azimuth
-    const auto direction = [&](const scalar azimuth, const scalar elevation)
-    {
-        const scalar a = degToRad(azimuth);
-        const scalar e = degToRad(elevation);
-        return vector
-        (
-            cos(e)*(cos(a)*front + sin(a)*camera_.right()) + sin(e)*up
-        );
-    };
 
-    const scalarMinMax halfTurn(-180, 180);
-    const scalarMinMax quarterTurn(0, 90);
-    const vector key
-    (
-        direction
-        (
-            dict_.getCheckOrDefault<scalar>("lightAzimuth", -45, halfTurn),
-            dict_.getCheckOrDefault<scalar>("lightElevation", 50, quarterTurn)
-        )
-    );
-    const scalar size = dict_.getCheckOrDefault<scalar>
-    (
-        "lightSize", 0.4, scalarMinMax(0, 2)
-    );
-
-    // In diagonals of the framed box
-    const scalar distance = 40;
-    const vector across(normalised(mag(key ^ up) > SMALL ? key ^ up : front));
-    const vector along(key ^ across);
-    os  << "// The lamp, and a fill light from the camera's right" << nl
+void Foam::melt::povScene::writeLights(Ostream& os) const
+{
+    os  << "// The lamp, and a weaker one without shadows" << nl
         << "light_source" << nl << '{' << nl
-        << "    " << text(distance*key).c_str() << " rgb 1.0" << nl
-        << "    area_light " << text(size*distance*across).c_str() << ' '
-        << text(size*distance*along).c_str()
+        << "    " << text(lampDistance*key_).c_str() << " rgb 1.0" << nl
+        << "    area_light " << text(lampDistance*lampAxes_.first()).c_str()
+        << ' ' << text(lampDistance*lampAxes_.second()).c_str()
         << " 5 5 adaptive 0 jitter" << nl
         << "    parallel point_at 0" << nl
         << '}' << nl
         << "light_source" << nl << '{' << nl
-        << "    " << text(distance*direction(50, 20)).c_str()
-        << " rgb 0.30 shadowless parallel point_at 0" << nl
+        << "    " << text(lampDistance*fill_).c_str() << " rgb "
+        << fillBrightness << nl
+        << "    shadowless parallel point_at 0" << nl
         << '}' << nl << nl;
+}
+
+
+Foam::pointField Foam::melt::povScene::shadow() const
+{
+    const vector& up = camera_.vertical();
+    DynamicList<point> points;
+    const pointField corners(box_.points());
+    for (const point& corner : corners)
+    {
+        const scalar height = max((corner & up) - floorHeight_, scalar(0));
+        for (const scalar i : {-1, 1})
+        {
+            for (const scalar j : {-1, 1})
+            {
+                const vector ray
+                (
+                    key_
+                  + i/2*lampAxes_.first() + j/2*lampAxes_.second()
+                );
+
+                // A lamp at the horizon has a shadow without end
+                const scalar slope = max(ray & up, 0.05);
+                const point p(corner - height/slope*ray);
+                points.append(p + (floorHeight_ - (p & up))*up);
+            }
+        }
+    }
+    return pointField(std::move(points));
 }
 
 
@@ -150,15 +170,20 @@ void Foam::melt::povScene::writeFloor(Ostream& os) const
 
     if (floorHeight_ > -GREAT)
     {
-        const scalar height =
-            (floorHeight_ - (camera_.target() & camera_.vertical()))*scale_;
-
-        // Bright enough to saturate where lit: no horizon
-        os  << "plane" << nl << '{' << nl
-            << "    " << text(camera_.vertical()).c_str() << ", " << height
-            << nl
+        // Where lit, the floor is exactly as bright as the background: it
+        // needs to reach no farther than the shadow
+        const pointField points(shadow());
+        const point centre(boundBox(points, false).midpoint());
+        const scalar radius = 1.1*max(mag(points - centre));
+        const scalar light =
+            (key_ + fillBrightness*fill_) & camera_.vertical();
+        os  << "disc" << nl << '{' << nl
+            << "    " << text((centre - camera_.target())*scale_).c_str()
+            << ", " << text(camera_.vertical()).c_str() << ", "
+            << radius*scale_ << nl
             << "    pigment { srgb " << text(colour).c_str() << " }" << nl
-            << "    finish { ambient 0 emission 0.42 diffuse 0.95 }" << nl
+            << "    finish { ambient 0 emission " << shadowBrightness
+            << " diffuse " << (1 - shadowBrightness)/light << " }" << nl
             << "    no_shadow" << nl
             << '}' << nl << nl;
     }
@@ -271,16 +296,47 @@ Foam::melt::povScene::povScene
     const dictionary& dict,
     const camera& view,
     const colourScale& colours,
-    const boundBox& framed,
+    const boundBox& box,
     const boundBox& domain
 )
 :
     dict_(dict),
     camera_(view),
     colours_(colours),
-    scale_(10/max(framed.mag(), VSMALL)),
+    box_(box),
+    scale_(10/max(box.mag(), VSMALL)),
+    key_
+    (
+        towards
+        (
+            dict.getCheckOrDefault<scalar>
+            (
+                "lightAzimuth", -45, scalarMinMax(-180, 180)
+            ),
+            dict.getCheckOrDefault<scalar>
+            (
+                "lightElevation", 50, scalarMinMax(1, 90)
+            )
+        )
+    ),
+    fill_(towards(50, 20)),
     floorHeight_(readFloor(dict, view.vertical(), domain))
-{}
+{
+    const scalar size = dict.getCheckOrDefault<scalar>
+    (
+        "lightSize", 0.4, scalarMinMax(0, 2)
+    );
+    const vector across
+    (
+        normalised
+        (
+            key_
+          ^ (mag(key_ & view.right()) < mag(key_ & view.top())
+          ? view.right() : view.top())
+        )
+    );
+    lampAxes_ = Pair<vector>(size*across, size*(key_ ^ across));
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -350,7 +406,7 @@ void Foam::melt::povScene::writeSurface
 {
     const pointField points(surface.points());
     const vectorField normals(surface.normals());
-    const triFaceList triangles(surface.triangles());
+    const faceList triangles(surface.faces());
     if (triangles.empty())
     {
         return;
@@ -377,7 +433,7 @@ void Foam::melt::povScene::writeSurface
             << nl;
     }
     os  << '}' << nl << "face_indices{" << triangles.size() << nl;
-    for (const triFace& t : triangles)
+    for (const face& t : triangles)
     {
         os  << '<' << t[0] << ',' << t[1] << ',' << t[2] << '>' << nl;
     }
@@ -388,15 +444,15 @@ void Foam::melt::povScene::writeSurface
 }
 
 
-void Foam::melt::povScene::writeCaption
-(
-    Ostream& os,
-    const string& caption
-) const
+void Foam::melt::povScene::writeTime(Ostream& os, const word& timeName) const
 {
-    const scalar letter = 0.07;
-    os  << "Label(\"" << caption.c_str() << "\", " << letter << ", "
-        << letter - camera_.aspect() << ", " << letter - 1 << ", 0)" << nl;
+    if (dict_.lookupOrDefault("time", true))
+    {
+        const scalar letter = 0.07;
+        os  << "Label(\"t = " << timeName << " s\", " << letter << ", "
+            << letter - camera_.aspect() << ", " << letter - 1 << ", 0)"
+            << nl;
+    }
 }
 
 

@@ -27,18 +27,17 @@ Usage
       - \par -time, -latestTime, -noZero
         Times to write; all by default
 
-    Dictionary system/meltToPovDict, all entries optional:
+    Dictionary system/meltToPovDict, all entries optional, annotated in
+    etc/caseDicts/meltFoam/meltToPovDict:
     \verbatim
     cloud           melt;
-    field           T;              // a vector field gives its magnitude
-    representation  spheres;        // spheres, surface
-    spacing         0.01;           // [m], see cloudSnapshot
-
-    camera          { }             // see camera
-    colours         { }             // see colourScale
-    look            { }             // see povScene
-    surface         { }             // see particleSurface
+    field           T;
+    representation  spheres;
+    camera  { azimuth -20; }
+    colours { range (293 343); }
     \endverbatim
+    See pictureDictionary, camera, colourScale, povScene, particleSurface and
+    cloudSnapshot for all entries.
 
     Results: postProcessing/meltToPov/<cloud>_<representation>_<field>/<time>.pov
 
@@ -48,6 +47,7 @@ Usage
 #include "Time.H"
 #include "timeSelector.H"
 #include "polyMesh.H"
+#include "pictureDictionary.H"
 #include "pictureSeries.H"
 
 using namespace Foam;
@@ -74,26 +74,10 @@ int main(int argc, char *argv[])
     const instantList times(timeSelector::select0(runTime, args));
     #include "createPolyMesh.H"
 
-    IOdictionary dict
+    const melt::pictureDictionary dict
     (
-        IOobject
-        (
-            "meltToPovDict",
-            runTime.system(),
-            runTime,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE,
-            false
-        )
+        runTime, args, {"field", "representation"}
     );
-    for (const word option : {"field", "representation"})
-    {
-        if (args.found(option))
-        {
-            dict.set(option, args.get<word>(option));
-        }
-    }
-
     const melt::pictureSeries pictures(dict, runTime, mesh);
     pictures.writeOptions();
     Info<< "Directory: " << pictures.dir() << nl << endl;

@@ -6,7 +6,6 @@
 
 #include "pictureSeries.H"
 #include "particleSurface.H"
-#include "Enum.H"
 #include "Fstream.H"
 #include "OSspecific.H"
 #include "StringStream.H"
@@ -17,22 +16,6 @@
 #include "uniformDimensionedFields.H"
 
 #include <fstream>
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using namespace Foam;
-
-const Enum<bool> representationNames
-({
-    { false, "spheres" },
-    { true, "surface" }
-});
-
-} // End anonymous namespace
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -122,19 +105,16 @@ bool Foam::melt::pictureSeries::upToDate(const fileName& scene) const
 
 Foam::melt::pictureSeries::pictureSeries
 (
-    const dictionary& dict,
+    const pictureDictionary& dict,
     Time& runTime,
     const polyMesh& mesh
 )
 :
     mesh_(mesh),
     dict_(dict),
-    cloudName_(dict_.lookupOrDefault<word>("cloud", "melt")),
-    fieldName_(dict_.lookupOrDefault<word>("field", "T")),
-    surface_
-    (
-        representationNames.lookupOrDefault("representation", dict_, false)
-    ),
+    cloudName_(dict.cloudName()),
+    fieldName_(dict.fieldName()),
+    surface_(dict.surface()),
     extent_(findExtent(runTime, mesh, cloudName_, fieldName_)),
     camera_
     (
@@ -160,7 +140,7 @@ Foam::melt::pictureSeries::pictureSeries
     dir_
     (
         runTime.globalPath()/"postProcessing"/"meltToPov"
-       /cloudName_ + '_' + representationNames[surface_] + '_' + fieldName_
+       /cloudName_ + '_' + (surface_ ? "surface" : "spheres") + '_' + fieldName_
     )
 {
     OStringStream os;
@@ -231,7 +211,7 @@ void Foam::melt::pictureSeries::write() const
             scene_.writeSpheres(os, particles.positions(), volumes, values);
             Info<< values.size() << " spheres";
         }
-        scene_.writeCaption(os, "t = " + timeName + " s");
+        scene_.writeTime(os, timeName);
         if (!os.good())
         {
             FatalErrorInFunction

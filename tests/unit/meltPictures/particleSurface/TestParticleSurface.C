@@ -47,7 +47,7 @@ TEST(particleSurface, drawsTheBlockAndListsTheLonelyParticle)
     EXPECT_NEAR(surface.mesh().volume()/512, 1, 0.08);
     EXPECT_EQ(surface.lonely(), labelList(1, 512));
     EXPECT_EQ(surface.points().size(), label(surface.mesh().nPoints()));
-    EXPECT_EQ(surface.triangles().size(), label(surface.mesh().nTriangles()));
+    EXPECT_EQ(surface.faces().size(), label(surface.mesh().nTriangles()));
 }
 
 TEST(particleSurface, normalsPointOutwards)
