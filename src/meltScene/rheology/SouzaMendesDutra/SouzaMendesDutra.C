@@ -175,6 +175,8 @@ void Foam::melt::SouzaMendesDutra::eta
     scalar* eta
 ) const
 {
+    const heldExceptions held;
+
     for (label start = 0; start < n; start += blockSize)
     {
         etaOfBlock

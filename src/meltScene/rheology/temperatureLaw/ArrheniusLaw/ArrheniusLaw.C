@@ -6,7 +6,7 @@
 
 #include "ArrheniusLaw.H"
 #include "checkedEntry.H"
-#include "sigFpe.H"
+#include "vectorMath.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -48,9 +48,7 @@ Foam::melt::ArrheniusLaw::ArrheniusLaw
 {
     checkedEntry::check(dict, "reference", reference_, accepted);
 
-    // The ends of the law: the coldest and the hottest of temperatures; an
-    // overflow there is answered as wrong input
-    const sigFpe::ignore overflow;
+    // The ends of the law: the coldest and the hottest of temperatures
     checkedEntry::check(dict, "Ta", value(TFloor_), accepted);
     checkedEntry::check(dict, "Ta", value(VGREAT), accepted);
 }
@@ -70,12 +68,14 @@ void Foam::melt::ArrheniusLaw::value
     const scalar Ta = Ta_;
     const scalar TFloor = TFloor_;
 
+    const heldExceptions held;
+
     #pragma omp simd
     for (label i = 0; i < n; ++i)
     {
         const scalar Ti = T[i] < TFloor ? TFloor : T[i];
 
-        result[i] = reference*exp(Ta*(1/Ti - inverseTReference));
+        result[i] = reference*::exp(Ta*(1/Ti - inverseTReference));
     }
 }
 

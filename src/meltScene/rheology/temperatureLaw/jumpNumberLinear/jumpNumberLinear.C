@@ -6,6 +6,7 @@
 
 #include "jumpNumberLinear.H"
 #include "checkedEntry.H"
+#include "vectorMath.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -58,6 +59,8 @@ void Foam::melt::jumpNumberLinear::value
     const scalar width = TMax_ - TMin_;
     const scalar low = atTMin_;
     const scalar high = atTMax_;
+
+    const heldExceptions held;
 
     #pragma omp simd
     for (label i = 0; i < n; ++i)

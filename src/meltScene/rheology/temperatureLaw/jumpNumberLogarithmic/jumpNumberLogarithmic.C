@@ -6,6 +6,7 @@
 
 #include "jumpNumberLogarithmic.H"
 #include "checkedEntry.H"
+#include "vectorMath.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -70,13 +71,15 @@ void Foam::melt::jumpNumberLogarithmic::value
     const scalar low = logAtTMin_;
     const scalar high = logAtTMax_;
 
+    const heldExceptions held;
+
     #pragma omp simd
     for (label i = 0; i < n; ++i)
     {
         const scalar v = (T[i] - TMin)/width;
         const scalar u = v < 0 ? 0 : v > 1 ? 1 : v;
 
-        result[i] = expm1((1 - u)*low + u*high);
+        result[i] = ::expm1((1 - u)*low + u*high);
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include "tableLaw.H"
 #include "checkedEntry.H"
+#include "vectorMath.H"
 #include "Function1.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -72,6 +73,8 @@ void Foam::melt::tableLaw::value
     const label last = values_.size() - 1;
     const scalar TMin = TMin_;
     const scalar step = (TMax_ - TMin_)/last;
+
+    const heldExceptions held;
 
     #pragma omp simd
     for (label i = 0; i < n; ++i)
