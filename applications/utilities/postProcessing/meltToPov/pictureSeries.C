@@ -121,7 +121,7 @@ Foam::melt::pictureSeries::pictureSeries
         dict_.subOrEmptyDict("camera"),
         extent_.box,
         upward(mesh),
-        povScene::legendWidth
+        povLegend::width
     ),
     colours_
     (
