@@ -134,9 +134,9 @@ Foam::melt::cloudSnapshot::volumes(const dictionary& dict) const
         {
             return field("m")/field("rho");
         }
-        spacing = mesh_.time().controlDict().getCheckOrDefault<scalar>
+        mesh_.time().controlDict().readCheckIfPresent
         (
-            "resolution", 0, positive
+            "resolution", spacing, positive
         );
     }
     if (!(spacing > 0))

@@ -90,6 +90,11 @@ Foam::melt::pictureDictionary::pictureDictionary
         )
     )
 {
+    // Defaults become entries, so that the digest tells what is drawn, not how
+    // it was asked for
+    add("cloud", word("melt"));
+    add("field", word("T"));
+    add("representation", representationNames[false]);
     for (const word& option : options)
     {
         if (args.found(option))
@@ -115,7 +120,7 @@ Foam::melt::pictureDictionary::pictureDictionary
 
 bool Foam::melt::pictureDictionary::surface() const
 {
-    return representationNames.lookupOrDefault("representation", *this, false);
+    return representationNames.get("representation", *this);
 }
 
 
