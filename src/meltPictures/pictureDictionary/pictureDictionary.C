@@ -92,9 +92,9 @@ Foam::melt::pictureDictionary::pictureDictionary
 {
     // Defaults become entries, so that the digest tells what is drawn, not how
     // it was asked for
-    add("cloud", word("melt"));
-    add("field", word("T"));
-    add("representation", representationNames[false]);
+    lookupOrAddDefault<word>("cloud", "melt");
+    lookupOrAddDefault<word>("field", "T");
+    lookupOrAddDefault<word>("representation", representationNames[false]);
     for (const word& option : options)
     {
         if (args.found(option))
