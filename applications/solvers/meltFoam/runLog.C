@@ -6,6 +6,8 @@
 
 #include "runLog.H"
 #include "checkedEntry.H"
+#include "clockValue.H"
+#include "FlatOutput.H"
 #include "fvMesh.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -14,7 +16,7 @@ Foam::melt::runLog::progress Foam::melt::runLog::now() const
 {
     return
     {
-        time_.elapsedClockTime(),
+        clockValue::now(),
         time_.value(),
         time_.timeIndex(),
         method_.particleSteps()
@@ -51,7 +53,7 @@ void Foam::melt::runLog::print(const meltDiagnostics& figures)
 
     Info<< nl
         << "particles: " << method_.nParticles()
-        << ", effects: " << scene_.effects().active() << nl
+        << ", effects: " << flatOutput(scene_.effects().active()) << nl
         << "mass: " << figures.mass
         << " kg, melted: " << 100*figures.meltedFraction << " %" << nl
         << "energy: kinetic " << figures.kineticEnergy
@@ -72,7 +74,8 @@ void Foam::melt::runLog::print(const meltDiagnostics& figures)
         Info<< "particle-steps/s: "
             << (present.particleSteps - last_.particleSteps)
               /(present.clock - last_.clock)
-            << ", estimated time left: " << timeLeft(present) << " s" << nl;
+            << ", estimated time left: " << label(timeLeft(present) + 1)
+            << " s" << nl;
     }
 
     Info<< endl;

@@ -8,6 +8,7 @@
 #include "sceneCase.H"
 #include "shape.H"
 #include "meltUnitTests.H"
+#include "OSspecific.H"
 
 using namespace Foam;
 using namespace Foam::melt;
@@ -168,6 +169,45 @@ TEST(MeltScene, rejectsAMissingPart)
 
     files.setMaterial(sceneCase::material("rho -1;"));
     expectRejected(files, "rho");
+}
+
+
+TEST(MeltScene, acceptsTheAnnotatedDictionary)
+{
+    const fileName annotated
+    (
+        getEnv("MELTFOAM_DIR")/"etc/caseDicts/meltFoam/meltProperties"
+    );
+    sceneCase files;
+    cp(annotated, unitTest::runTime().path()/"constant/meltProperties");
+
+    const meltScene scene(files.mesh());
+
+    EXPECT_EQ(scene.points(0).size(), 1000);
+    EXPECT_TRUE(scene.rheology().shearRateDependent());
+    EXPECT_TRUE(scene.effects()("heatConduction"));
+}
+
+
+TEST(MeltScene, acceptsTheMaterialsThatAreReady)
+{
+    const fileName directory
+    (
+        getEnv("MELTFOAM_DIR")/"etc/caseDicts/meltFoam/materials"
+    );
+    sceneCase files;
+
+    const fileNameList materials(readDir(directory, fileName::FILE));
+    ASSERT_FALSE(materials.empty());
+
+    for (const fileName& material : materials)
+    {
+        files.setMaterial
+        (
+            "material { #include \"" + directory/material + "\"\n }"
+        );
+        EXPECT_EQ(rejection(files), "accepted") << material;
+    }
 }
 
 
