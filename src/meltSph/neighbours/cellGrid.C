@@ -43,7 +43,7 @@ void Foam::melt::cellGrid::sort
             throw std::runtime_error
             (
                 "particles spread over too many cells: one of them has left"
-                " the scene or its position is not a number"
+                " the scene"
             );
         }
         n_[a] = int(cells);
@@ -67,10 +67,17 @@ void Foam::melt::cellGrid::sort
 
     // Counting sort
     std::vector<int> cell(n);
-    #pragma omp parallel for schedule(static)
+    bool numbers = true;
+    #pragma omp parallel for schedule(static) reduction(&&:numbers)
     for (int i = 0; i < n; ++i)
     {
-        cell[i] = cellOf(i);
+        const bool number = !std::isnan(x[i] + y[i] + z[i]);
+        numbers = numbers && number;
+        cell[i] = number ? cellOf(i) : 0;
+    }
+    if (!numbers)
+    {
+        throw std::runtime_error("the position of a particle is not a number");
     }
 
     start_.assign(std::size_t(nCells) + 1, 0);

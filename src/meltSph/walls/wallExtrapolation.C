@@ -18,11 +18,15 @@ void Foam::melt::wallExtrapolation
 {
     near.kernel().visit([&](const auto& W)
     {
-        near.fluidOfWalls().forEach([&](const int i, const auto& row)
+        const int n = near.fluidOfWalls().empty() ? 0 : int(walls.size());
+
+        #pragma omp parallel for schedule(dynamic, 256)
+        for (int i = 0; i < n; ++i)
         {
+            const auto row = near.fluidOfWalls().sourcesOf(i);
             if (row.size() == 0)
             {
-                return;
+                continue;
             }
 
             double weight = 0, p = 0, u = 0, v = 0, w = 0;
@@ -47,7 +51,7 @@ void Foam::melt::wallExtrapolation
                 walls.u[i] = walls.wallU[i];
                 walls.v[i] = walls.wallV[i];
                 walls.w[i] = walls.wallW[i];
-                return;
+                continue;
             }
 
             walls.p[i] = std::max(0.0, p/weight);
@@ -72,7 +76,7 @@ void Foam::melt::wallExtrapolation
                 walls.v[i] = 2*walls.wallV[i] - v;
                 walls.w[i] = 2*walls.wallW[i] - w;
             }
-        });
+        }
     });
 }
 

@@ -6,7 +6,6 @@
 
 #include "explicitConduction.H"
 #include "addToRunTimeSelectionTable.H"
-#include "heatConduction.H"
 
 namespace Foam
 {
@@ -31,7 +30,11 @@ Foam::melt::explicitConduction::explicitConduction
 )
 :
     rateTerm(system)
-{}
+{
+    system_.pairs.conduction = true;
+    system_.pairs.kappa = system_.thermo.kappaSolid();
+    system_.pairs.spacing = system_.spacing;
+}
 
 
 void Foam::melt::explicitConduction::allocate()
@@ -63,19 +66,6 @@ void Foam::melt::explicitConduction::prepare()
     {
         f.kappa[i] = solid + (liquid - solid)*curve.liquidFraction(f.h[i]);
     }
-}
-
-
-void Foam::melt::explicitConduction::addRates()
-{
-    system_.heatFromWalls = heatConduction
-    (
-        system_.near,
-        system_.walls,
-        system_.thermo.kappaSolid(),
-        system_.spacing,
-        system_.fluid
-    );
 }
 
 

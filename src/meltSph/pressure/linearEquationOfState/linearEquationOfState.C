@@ -9,7 +9,6 @@
 #include "blockSum.H"
 #include "checkedEntry.H"
 #include "dimensionSets.H"
-#include "pressureForce.H"
 
 namespace Foam
 {
@@ -38,6 +37,7 @@ Foam::melt::linearEquationOfState::linearEquationOfState
     tension_(dict.getOrDefault("tension", false))
 {
     system_.soundSpeed = c_;
+    system_.pairs.pressure = true;
 }
 
 
@@ -56,12 +56,6 @@ void Foam::melt::linearEquationOfState::prepare()
 }
 
 
-void Foam::melt::linearEquationOfState::addRates()
-{
-    addPressureForce(system_.near, system_.walls, system_.fluid);
-}
-
-
 void Foam::melt::linearEquationOfState::limit(timeStepControl& control) const
 {
     const particles& f = system_.fluid;
@@ -73,11 +67,14 @@ void Foam::melt::linearEquationOfState::limit(timeStepControl& control) const
             return f.u[i]*f.u[i] + f.v[i]*f.v[i] + f.w[i]*f.w[i];
         }
     );
-    control.limit
-    (
-        "acoustic",
-        system_.near.kernel().h()/(c_ + std::sqrt(max(maxSpeed2, scalar(0))))
-    );
+    if (f.size())
+    {
+        control.limit
+        (
+            "acoustic",
+            system_.near.kernel().h()/(c_ + std::sqrt(maxSpeed2))
+        );
+    }
 }
 
 // ************************************************************************* //

@@ -6,7 +6,6 @@
 
 #include "artificialViscosityTerm.H"
 #include "addToRunTimeSelectionTable.H"
-#include "artificialViscosity.H"
 #include "checkedEntry.H"
 #include "dimensionSets.H"
 
@@ -26,24 +25,15 @@ Foam::melt::artificialViscosityTerm::artificialViscosityTerm
     sphSystem& system
 )
 :
-    rateTerm(system),
-    alpha_
-    (
-        checkedEntry::get(dict, "alpha", dimless, checkedEntry::notNegative())
-    ),
-    beta_
-    (
-        checkedEntry::get(dict, "beta", dimless, checkedEntry::notNegative())
-    )
-{}
-
-
-void Foam::melt::artificialViscosityTerm::addRates()
+    rateTerm(system)
 {
-    addArtificialViscosity
-    (
-        system_.near, alpha_, beta_, system_.soundSpeed, system_.fluid
-    );
+    const scalarMinMax notNegative(checkedEntry::notNegative());
+
+    system_.pairs.artificialViscosity = true;
+    system_.pairs.alphaC =
+        checkedEntry::get(dict, "alpha", dimless, notNegative)
+       *system_.soundSpeed;
+    system_.pairs.beta = checkedEntry::get(dict, "beta", dimless, notNegative);
 }
 
 // ************************************************************************* //

@@ -8,7 +8,6 @@
 #include "addToRunTimeSelectionTable.H"
 #include "checkedEntry.H"
 #include "dimensionSets.H"
-#include "xsphVelocity.H"
 
 namespace Foam
 {
@@ -22,12 +21,14 @@ namespace melt
 
 Foam::melt::xsphTerm::xsphTerm(const dictionary& dict, sphSystem& system)
 :
-    rateTerm(system),
-    epsilon_
+    rateTerm(system)
+{
+    system_.pairs.xsph = true;
+    system_.pairs.epsilon = checkedEntry::get
     (
-        checkedEntry::get(dict, "epsilon", dimless, scalarMinMax(0, 1))
-    )
-{}
+        dict, "epsilon", dimless, scalarMinMax(0, 1)
+    );
+}
 
 
 void Foam::melt::xsphTerm::allocate()
@@ -36,10 +37,5 @@ void Foam::melt::xsphTerm::allocate()
     f.require({&f.du, &f.dv, &f.dw});
 }
 
-
-void Foam::melt::xsphTerm::addRates()
-{
-    xsphVelocity(system_.near, epsilon_, system_.fluid);
-}
 
 // ************************************************************************* //

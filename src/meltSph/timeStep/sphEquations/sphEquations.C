@@ -79,6 +79,7 @@ void Foam::melt::sphEquations::evaluate()
     {
         term.addRates();
     }
+    system_.heatFromWalls = system_.pairs.add(system_.near, system_.walls, f);
 }
 
 
@@ -100,7 +101,8 @@ const Foam::melt::timeStepControl& Foam::melt::sphEquations::limits()
             return f.ax[i]*f.ax[i] + f.ay[i]*f.ay[i] + f.az[i]*f.az[i];
         }
     );
-    if (maxA2 > 0)
+    // Also if it is not a number, for the control to say so
+    if (!(maxA2 <= 0))
     {
         control_.limit
         (

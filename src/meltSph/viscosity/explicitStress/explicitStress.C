@@ -8,7 +8,6 @@
 #include "addToRunTimeSelectionTable.H"
 #include "apparentViscosity.H"
 #include "blockSum.H"
-#include "stressDivergence.H"
 
 namespace Foam
 {
@@ -29,6 +28,7 @@ Foam::melt::explicitStress::explicitStress
     rateTerm(system)
 {
     system_.deformation = true;
+    system_.pairs.stress = true;
 }
 
 
@@ -47,7 +47,6 @@ void Foam::melt::explicitStress::allocate()
 void Foam::melt::explicitStress::addRates()
 {
     setViscosityAndStress(system_.rheology, system_.fluid);
-    addStressDivergence(system_.near, system_.walls, system_.fluid);
 }
 
 
@@ -60,7 +59,8 @@ void Foam::melt::explicitStress::limit(timeStepControl& control) const
         f.size(),
         [&](const int i) { return f.eta[i]/f.rho[i]; }
     );
-    if (maxNu > 0)
+    // Also if it is not a number, for the control to say so
+    if (!(maxNu <= 0))
     {
         control.limit("viscous", h*h/maxNu);
     }
