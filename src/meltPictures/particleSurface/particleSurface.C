@@ -38,7 +38,7 @@ scalar readRadius(const dictionary& dict)
 {
     return dict.getCheckOrDefault<scalar>
     (
-        "radius", 2.5, [](const scalar r) { return r >= 1; }
+        "radius", 2, [](const scalar r) { return r >= 1; }
     );
 }
 
@@ -65,7 +65,7 @@ scalar readLevel(const dictionary& dict)
 {
     return dict.getCheckOrDefault<scalar>
     (
-        "level", 0.5, [](const scalar l) { return l > 0 && l < 1; }
+        "level", 0.45, [](const scalar l) { return l > 0 && l < 1; }
     );
 }
 

@@ -8,7 +8,7 @@
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-const Foam::scalar Foam::melt::povLegend::width = 0.17;
+const Foam::scalar Foam::melt::povLegend::width = 0.18;
 
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -62,7 +62,7 @@ void Foam::melt::povLegend::writePlane
 
 void Foam::melt::povLegend::writeBar(Ostream& os) const
 {
-    const scalar left = camera_.aspect() - 0.27;
+    const scalar left = camera_.aspect() - 0.31;
     const scalar right = left + 0.06;
     const scalar bottom = -0.6;
     const scalar height = 1.2;
