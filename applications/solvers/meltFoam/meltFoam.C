@@ -92,10 +92,11 @@ int main(int argc, char* argv[])
 
     runLog log(runTime, scene, *method, args.found("verbose"));
 
+    const auto write = [&]() { method->write(); };
+
     if (runTime.value() == 0)
     {
-        method->write();
-        runTime.writeChecked();
+        runTime.writeChecked(write);
     }
 
     while (runTime.run())
@@ -111,8 +112,7 @@ int main(int argc, char* argv[])
 
         if (runTime.writeTime())
         {
-            method->write();
-            runTime.writeChecked();
+            runTime.writeChecked(write);
         }
     }
 

@@ -7,7 +7,6 @@
 #include "runLog.H"
 #include "checkedEntry.H"
 #include "clockValue.H"
-#include "FlatOutput.H"
 #include "fvMesh.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -52,8 +51,14 @@ void Foam::melt::runLog::print(const meltDiagnostics& figures)
     }
 
     Info<< nl
-        << "particles: " << method_.nParticles()
-        << ", effects: " << flatOutput(scene_.effects().active()) << nl
+        << "particles: " << method_.nParticles() << ", effects:";
+
+    for (const word& effect : scene_.effects().active())
+    {
+        Info<< ' ' << effect;
+    }
+
+    Info<< nl
         << "mass: " << figures.mass
         << " kg, melted: " << 100*figures.meltedFraction << " %" << nl
         << "energy: kinetic " << figures.kineticEnergy

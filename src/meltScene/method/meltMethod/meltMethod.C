@@ -26,7 +26,11 @@ namespace melt
 Foam::fileName Foam::melt::meltMethod::library(const word& name)
 {
     string capitalised(name);
-    capitalised[0] = char(std::toupper(capitalised[0]));
+
+    if (!name.empty())
+    {
+        capitalised[0] = char(std::toupper(capitalised[0]));
+    }
 
     return "libmelt" + capitalised + ".so";
 }
@@ -52,7 +56,11 @@ Foam::autoPtr<Foam::melt::meltMethod> Foam::melt::meltMethod::New
 
     if (!known())
     {
-        FatalErrorInFunction
+        // For the list of those that there are
+        const_cast<Time&>(mesh.time()).libs().open(library("sph"), false);
+
+        OStringStream message;
+        message
             << "Unknown method \"" << name << "\", and no library "
             << library(name) << " that has it." << nl
             << "Valid methods: "
@@ -61,8 +69,21 @@ Foam::autoPtr<Foam::melt::meltMethod> Foam::melt::meltMethod::New
                 sceneConstructorTablePtr_
               ? sceneConstructorTablePtr_->sortedToc()
               : wordList()
-            )
-            << exit(FatalError);
+            );
+
+        const dictionary& controlDict = mesh.time().controlDict();
+
+        if
+        (
+            controlDict.found("method")
+         && controlDict.get<word>("method") == name
+        )
+        {
+            FatalIOErrorInFunction(controlDict.lookup("method"))
+                << message.str().c_str() << exit(FatalIOError);
+        }
+
+        FatalErrorInFunction << message.str().c_str() << exit(FatalError);
     }
 
     return sceneConstructorTablePtr_->find(name).val()(mesh, scene);

@@ -157,13 +157,31 @@ Foam::scalar Foam::melt::meltTime::advance(const scalar maxDeltaT)
 }
 
 
-void Foam::melt::meltTime::writeChecked()
+void Foam::melt::meltTime::writeChecked(const std::function<void()>& prepare)
 {
     const bool existed = isDir(timePath());
-    const bool written = writeNow();
-    const fileName incomplete(writtenFiles::firstIncomplete(timePath()));
+    fileName incomplete;
 
-    if (!returnReduce(written && incomplete.empty(), andOp<bool>()))
+    // A stream that fails ends the program, if it is not caught
+    const bool throwing = FatalIOError.throwExceptions();
+
+    try
+    {
+        prepare();
+
+        incomplete =
+            writeNow()
+          ? writtenFiles::firstIncomplete(timePath())
+          : timePath();
+    }
+    catch (const IOerror& err)
+    {
+        incomplete = err.ioFileName();
+    }
+
+    FatalIOError.throwExceptions(throwing);
+
+    if (returnReduce(!incomplete.empty(), orOp<bool>()))
     {
         if (!existed)
         {
@@ -172,8 +190,7 @@ void Foam::melt::meltTime::writeChecked()
 
         FatalErrorInFunction
             << "Cannot write time " << timeName() << ": "
-            << (incomplete.empty() ? timePath() : incomplete)
-            << " is incomplete." << nl
+            << incomplete << " is incomplete." << nl
             << "Is the disk full? Earlier times are as they were"
             << (existed ? "." : ", this one has been removed.")
             << exit(FatalError);

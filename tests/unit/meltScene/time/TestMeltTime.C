@@ -63,7 +63,7 @@ std::vector<stepTaken> run(const fileName& directory)
 
         if (time.writeTime())
         {
-            time.writeChecked();
+            time.writeChecked([]() {});
         }
         steps.push_back
         (
@@ -146,6 +146,32 @@ TEST(MeltTime, maxStepsWritesAndEnds)
 
     // Nothing is left to do
     EXPECT_TRUE(run(directory).empty());
+    rmDir(directory);
+}
+
+
+TEST(MeltTime, failedWriteLeavesNoTime)
+{
+    const fileName directory
+    (
+        caseWith("deltaT 1; writeControl runTime; writeInterval 1; endTime 2;")
+    );
+    meltTime time(directory);
+    time.advance(1);
+    time.writeChecked([]() {});
+    time.advance(1);
+
+    const auto failing = [&]()
+    {
+        OFstream os(mkDir(time.timePath()) ? time.timePath()/"U" : fileName());
+        os.setBad();
+        os.check(FUNCTION_NAME);
+    };
+
+    EXPECT_THROW(time.writeChecked(failing), error);
+    EXPECT_FALSE(isDir(directory/"2"));
+    EXPECT_TRUE(isDir(directory/"1"));
+    EXPECT_TRUE(FatalIOError.throwExceptions());
     rmDir(directory);
 }
 
