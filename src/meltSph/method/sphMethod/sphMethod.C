@@ -295,7 +295,8 @@ Foam::melt::sphMethod::sphMethod(fvMesh& mesh, const meltScene& scene)
     fill();
     scheme_->allocate();
     bindFields();
-    const bool restart = cloud_.read();
+    // Time 0 always starts from the shapes, which may have changed
+    const bool restart = mesh.time().value() > 0 && cloud_.read();
     system_.near.build(system_.fluid, system_.walls);
 
     if (restart)
