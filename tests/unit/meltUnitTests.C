@@ -21,6 +21,7 @@ Usage
 #include "meltUnitTests.H"
 #include "argList.H"
 #include "OSspecific.H"
+#include "sigFpe.H"
 
 #include <cstdlib>
 #include <vector>
@@ -88,6 +89,11 @@ int main(int argc, char* argv[])
             false
         );
         runTimePtr = &runTime;
+
+        // As in the solver: code compiled with -fno-trapping-math computes
+        // what it does not use
+        sigFpe::unset();
+
         mkDir(runTime.path());
 
         FatalError.throwExceptions();

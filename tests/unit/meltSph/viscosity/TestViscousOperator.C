@@ -1,0 +1,275 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "implicitViscosity.H"
+#include "meltSph/timeStep/schemeCase.H"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace Foam
+{
+namespace melt
+{
+namespace unitTest
+{
+namespace
+{
+
+//- A disordered lump, its viscosities spread over four decades
+particleCloud lump(const unsigned seed)
+{
+    particleCloud cloud
+    (
+        lattice
+        {
+            {7, 8, 6}, 0.01, smoothingKernel::kernelType::wendlandC2, 1.3, 0.2
+        },
+        seed
+    );
+    for (double& eta : cloud.fluid.eta)
+    {
+        eta = std::pow(10.0, cloud.random(-1, 3));
+    }
+    return cloud;
+}
+
+
+//- An operator over a cloud
+struct operatorCase
+{
+    schemeCase scheme;
+    dictionary dict;
+    autoPtr<viscousOperator> viscous;
+
+    operatorCase
+    (
+        const particleCloud& cloud,
+        const std::string& type,
+        const scalar centralShare = 0.1
+    )
+    :
+        scheme(cloud, springAndDamper(1, 0)),
+        dict
+        (
+            IStringStream
+            (
+                "type implicitViscosity; operator " + type
+              + "; centralShare " + std::to_string(centralShare)
+              + "; maxCondition 100; tolerance 1e-10; maxIterations 1000;"
+            )()
+        ),
+        viscous(viscousOperator::New(dict, scheme.system))
+    {
+        scheme.system.near = cloud.near;
+        scheme.system.walls = cloud.walls;
+        scheme.system.fluid = cloud.fluid;
+        viscous->update();
+    }
+
+    vectorArray force(const vectorArray& v, const double wallFactor = 0)
+    {
+        vectorArray f(v.size());
+        viscous->force(v, wallFactor, f);
+        return f;
+    }
+};
+
+
+vectorArray randomVelocity(particleCloud& cloud)
+{
+    vectorArray v(cloud.size());
+    cloud.randomise(v.x, -1, 1);
+    cloud.randomise(v.y, -1, 1);
+    cloud.randomise(v.z, -1, 1);
+    return v;
+}
+
+
+double norm(const vectorArray& a)
+{
+    return std::sqrt(dot(a, a));
+}
+
+
+class ViscousOperator
+:
+    public testing::TestWithParam<std::string>
+{};
+
+INSTANTIATE_TEST_SUITE_P
+(
+    Both, ViscousOperator, testing::Values("adjoint", "central")
+);
+
+} // End anonymous namespace
+
+
+TEST_P(ViscousOperator, isSymmetricAndDissipativeAlsoAtAWall)
+{
+    particleCloud cloud(lump(3));
+    cloud.addWall(1, false);
+    cloud.build();
+    operatorCase test(cloud, GetParam());
+
+    for (int repeat = 0; repeat < 5; ++repeat)
+    {
+        const vectorArray a(randomVelocity(cloud));
+        const vectorArray b(randomVelocity(cloud));
+        const vectorArray fa(test.force(a));
+        const vectorArray fb(test.force(b));
+        EXPECT_NEAR(dot(a, fb), dot(b, fa), 1e-12*norm(a)*norm(fb));
+        EXPECT_LT(dot(a, fa), 0);
+    }
+}
+
+
+TEST_P(ViscousOperator, keepsBothMomentaAndLetsALumpTurn)
+{
+    particleCloud cloud(lump(4));
+    operatorCase test(cloud, GetParam());
+    const particles& f = test.scheme.system.fluid;
+    const int n = f.size();
+
+    const vectorArray v(randomVelocity(cloud));
+    const vectorArray force(test.force(v));
+    const double scale = norm(force);
+    const auto sum = [&](auto&& value) { return blockSum(n, value); };
+    EXPECT_NEAR(sum([&](int i) { return force.x[i]; }), 0, 1e-11*scale);
+    EXPECT_NEAR(sum([&](int i) { return force.y[i]; }), 0, 1e-11*scale);
+    EXPECT_NEAR
+    (
+        sum
+        (
+            [&](int i) { return f.x[i]*force.y[i] - f.y[i]*force.x[i]; }
+        ),
+        0,
+        1e-12*scale
+    );
+
+    vectorArray rotation(n);
+    for (int i = 0; i < n; ++i)
+    {
+        rotation.x[i] = -f.y[i];
+        rotation.y[i] = f.x[i];
+    }
+    EXPECT_LT
+    (
+        norm(test.force(rotation))/norm(rotation),
+        1e-12*scale/norm(v)
+    );
+}
+
+
+TEST_P(ViscousOperator, standsSingleParticlesAndSheets)
+{
+    for (const std::array<int, 3>& n : {std::array<int, 3>{1, 1, 2}, {5, 5, 2}})
+    {
+        particleCloud cloud
+        (
+            lattice{n, 0.01, smoothingKernel::kernelType::wendlandC2, 1.2}
+        );
+        // One layer in three dimensions
+        for (double& z : cloud.fluid.z)
+        {
+            z *= 100;
+        }
+        cloud.build();
+        std::fill(cloud.fluid.eta.begin(), cloud.fluid.eta.end(), 100);
+
+        operatorCase test(cloud, GetParam());
+        const vectorArray v(randomVelocity(cloud));
+        EXPECT_TRUE(std::isfinite(norm(test.force(v))));
+    }
+}
+
+
+TEST(AdjointViscosity, dissipatesWhatShearingCostsUpToTheFreeSurface)
+{
+    particleCloud cloud(lump(5));
+    operatorCase test(cloud, "adjoint", 0);
+    const particles& f = test.scheme.system.fluid;
+
+    // Simple shear at 2 1/s: the power is eta times the shear rate squared
+    // times the volume, exactly, since the gradient of a linear field is
+    vectorArray v(f.size());
+    double power = 0;
+    for (int i = 0; i < f.size(); ++i)
+    {
+        v.x[i] = 2*f.y[i];
+        power += f.eta[i]*4*f.V[i];
+    }
+    EXPECT_NEAR(-dot(v, test.force(v)), power, 1e-10*power);
+}
+
+
+TEST(AdjointViscosity, movingWallPullsAndAWallThatMovesAlongDoesNot)
+{
+    particleCloud cloud(lump(6));
+    cloud.addWall(1, false);
+    cloud.build();
+    for (double& u : cloud.walls.wallU)
+    {
+        u = 0.5;
+    }
+    for (const std::string type : {"adjoint", "central"})
+    {
+        operatorCase test(cloud, type);
+        vectorArray v(cloud.size());
+        const vectorArray pull(test.force(v, 1));
+        EXPECT_GT(blockSum(v.size(), [&](int i) { return pull.x[i]; }), 0);
+
+        std::fill(v.x.begin(), v.x.end(), 0.5);
+        EXPECT_LT(norm(test.force(v, 1)), 1e-11*norm(pull));
+    }
+}
+
+
+TEST_P(ViscousOperator, implicitStepKeepsMomentumAtAnyStepAndEndsInRigidMotion)
+{
+    particleCloud cloud(lump(7));
+    cloud.randomiseVelocity(1);
+
+    double before = std::numeric_limits<double>::max();
+    for (const scalar deltaT : {1e-6, 1e-3, 1.0})
+    {
+        operatorCase test(cloud, GetParam());
+        sphSystem& s = test.scheme.system;
+        particles& f = s.fluid;
+        implicitViscosity term(test.dict, s);
+
+        const auto momentum = [&]()
+        {
+            return blockSum(f.size(), [&](int i) { return f.m[i]*f.u[i]; });
+        };
+        const double p0 = momentum();
+        vectorArray guess(f.size());
+        guess.x = f.u;
+        guess.y = f.v;
+        guess.z = f.w;
+        ASSERT_TRUE(term.implicitUpdate(deltaT, guess));
+        EXPECT_NEAR(momentum(), p0, 1e-9*f.m[0]*f.size());
+
+        const double energy = blockSum
+        (
+            f.size(),
+            [&](int i)
+            {
+                return f.m[i]
+                   *(f.u[i]*f.u[i] + f.v[i]*f.v[i] + f.w[i]*f.w[i]);
+            }
+        );
+        EXPECT_LT(energy, before);
+        before = energy;
+    }
+}
+
+} // End namespace unitTest
+} // End namespace melt
+} // End namespace Foam
+
+// ************************************************************************* //
