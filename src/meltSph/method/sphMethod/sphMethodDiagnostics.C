@@ -171,6 +171,7 @@ void Foam::melt::sphMethod::report(Ostream& os) const
         << 100*densityError << " %, put back at walls "
         << scheme_->wallContacts() << " times, escaped " << escapedMass_
         << " kg" << nl;
+    scheme_->report(os);
 }
 
 // ************************************************************************* //

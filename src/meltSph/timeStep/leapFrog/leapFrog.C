@@ -26,7 +26,15 @@ Foam::melt::leapFrog::leapFrog
 )
 :
     sphScheme(dict, effects, system)
-{}
+{
+    if (equations_.implicit())
+    {
+        FatalIOErrorInFunction(dict)
+            << "The scheme leapFrog is explicit, but a term of this dictionary"
+            << " is implicit: choose the scheme semiImplicit"
+            << exit(FatalIOError);
+    }
+}
 
 
 void Foam::melt::leapFrog::allocate()

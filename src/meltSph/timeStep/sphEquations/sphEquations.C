@@ -83,6 +83,45 @@ void Foam::melt::sphEquations::evaluate()
 }
 
 
+bool Foam::melt::sphEquations::implicit() const
+{
+    for (const rateTerm& term : terms_)
+    {
+        if (term.implicit())
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+bool Foam::melt::sphEquations::implicitUpdate
+(
+    const scalar deltaT,
+    const vectorArray& guess
+)
+{
+    for (rateTerm& term : terms_)
+    {
+        if (!term.implicitUpdate(deltaT, guess))
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+
+void Foam::melt::sphEquations::report(Ostream& os) const
+{
+    for (const rateTerm& term : terms_)
+    {
+        term.report(os);
+    }
+}
+
+
 const Foam::melt::timeStepControl& Foam::melt::sphEquations::limits()
 {
     const particles& f = system_.fluid;

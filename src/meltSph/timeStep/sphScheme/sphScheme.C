@@ -70,6 +70,16 @@ const Foam::melt::timeStepControl& Foam::melt::sphScheme::limits()
 }
 
 
+void Foam::melt::sphScheme::report(Ostream& os) const
+{
+    equations_.report(os);
+    if (halvedSteps_)
+    {
+        os  << "     steps done again in halves: " << halvedSteps_ << nl;
+    }
+}
+
+
 void Foam::melt::sphScheme::updateNeighbours(const scalar longestWay)
 {
     if (system_.near.outdated(longestWay))

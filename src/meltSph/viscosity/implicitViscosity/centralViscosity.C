@@ -1,0 +1,281 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "centralViscosity.H"
+#include "addToRunTimeSelectionTable.H"
+#include "pairPass.H"
+#include "wallDrag.H"
+
+namespace Foam
+{
+namespace melt
+{
+    defineTypeNameAndDebug(centralViscosity, 0);
+    addToRunTimeSelectionTable(viscousOperator, centralViscosity, dictionary);
+
+namespace
+{
+
+//- Magnitude of the pair force per approach velocity, V_i V_j left out of i's
+//  side: c = -2(d + 2) eta_ij F/(r^2 + 0.01 h^2), >= 0
+struct pairCoefficient
+{
+    double factor;
+    double regularisation;
+
+    explicit pairCoefficient(const smoothingKernel& kernel)
+    :
+        factor(-2*(kernel.dimensions() + 2)),
+        regularisation(0.01*kernel.h()*kernel.h())
+    {}
+
+    [[gnu::always_inline]] inline double operator()
+    (
+        const double etai,
+        const double etaj,
+        const pairGeometry& p
+    ) const
+    {
+        return
+            factor*p.VF*2*etai*etaj
+           /((etai + etaj)*(p.r2 + regularisation));
+    }
+};
+
+
+//- sum_j c_ij x x^T, with the walls: block of the diagonal
+class blockLaw
+{
+    const sphSystem* s_;
+    const double* eta_;
+    viscousOperator::blocks* blocks_;
+    vectorArray* wallPull_;
+    pairCoefficient c_;
+
+    int i_ = 0;
+    double etai_ = 0;
+    double xx_ = 0, xy_ = 0, xz_ = 0, yy_ = 0, yz_ = 0, zz_ = 0;
+    double px_ = 0, py_ = 0, pz_ = 0;
+
+    [[gnu::always_inline]] inline void addBlock
+    (
+        const double c,
+        const pairGeometry& p
+    )
+    {
+        xx_ += c*p.dx*p.dx;
+        xy_ += c*p.dx*p.dy;
+        xz_ += c*p.dx*p.dz;
+        yy_ += c*p.dy*p.dy;
+        yz_ += c*p.dy*p.dz;
+        zz_ += c*p.dz*p.dz;
+    }
+
+public:
+
+    blockLaw
+    (
+        const sphSystem& s,
+        viscousOperator::blocks& blocks,
+        vectorArray& wallPull
+    )
+    :
+        s_(&s),
+        eta_(s.fluid.eta.data()),
+        blocks_(&blocks),
+        wallPull_(&wallPull),
+        c_(s.near.kernel())
+    {}
+
+    [[gnu::always_inline]] inline void start(const int i)
+    {
+        i_ = i;
+        etai_ = eta_[i];
+    }
+
+    template<class Kernel>
+    [[gnu::always_inline]] inline void add
+    (
+        const int j,
+        const pairGeometry& p,
+        const Kernel&
+    )
+    {
+        addBlock(c_(etai_, eta_[j], p), p);
+    }
+
+    template<class Kernel>
+    inline void addWall(const int j, const pairGeometry& p, const Kernel&)
+    {
+        const wallState& w = s_->walls;
+        const double c = wallDrag::factor(*s_, i_, j)*c_(etai_, etai_, p);
+        const double pull =
+            c
+           *(
+                w.wallU[j]*p.dx + w.wallV[j]*p.dy + w.wallW[j]*p.dz
+            );
+        addBlock(c, p);
+        px_ += pull*p.dx;
+        py_ += pull*p.dy;
+        pz_ += pull*p.dz;
+    }
+
+    [[gnu::always_inline]] inline void finish(const int i)
+    {
+        const double V = s_->fluid.V[i];
+        viscousOperator::blocks& b = *blocks_;
+        b[0][i] = V*xx_;
+        b[1][i] = V*xy_;
+        b[2][i] = V*xz_;
+        b[3][i] = V*yy_;
+        b[4][i] = V*yz_;
+        b[5][i] = V*zz_;
+        wallPull_->x[i] = V*px_;
+        wallPull_->y[i] = V*py_;
+        wallPull_->z[i] = V*pz_;
+    }
+};
+
+
+//- sum_j c_ij (v_j.x_ij) x_ij over the fluid alone
+class neighbourLaw
+{
+    const double *eta_, *u_, *v_, *w_, *V_;
+    vectorArray* out_;
+    pairCoefficient c_;
+
+    double etai_ = 0;
+    double x_ = 0, y_ = 0, z_ = 0;
+
+public:
+
+    neighbourLaw
+    (
+        const sphSystem& s,
+        const vectorArray& v,
+        vectorArray& out
+    )
+    :
+        eta_(s.fluid.eta.data()),
+        u_(v.x.data()),
+        v_(v.y.data()),
+        w_(v.z.data()),
+        V_(s.fluid.V.data()),
+        out_(&out),
+        c_(s.near.kernel())
+    {}
+
+    [[gnu::always_inline]] inline void start(const int i)
+    {
+        etai_ = eta_[i];
+    }
+
+    template<class Kernel>
+    [[gnu::always_inline]] inline void add
+    (
+        const int j,
+        const pairGeometry& p,
+        const Kernel&
+    )
+    {
+        const double c =
+            c_(etai_, eta_[j], p)
+           *(u_[j]*p.dx + v_[j]*p.dy + w_[j]*p.dz);
+        x_ += c*p.dx;
+        y_ += c*p.dy;
+        z_ += c*p.dz;
+    }
+
+    template<class Kernel>
+    inline void addWall(const int, const pairGeometry&, const Kernel&)
+    {}
+
+    [[gnu::always_inline]] inline void finish(const int i)
+    {
+        out_->x[i] = V_[i]*x_;
+        out_->y[i] = V_[i]*y_;
+        out_->z[i] = V_[i]*z_;
+    }
+};
+
+} // End anonymous namespace
+} // End namespace melt
+} // End namespace Foam
+
+
+Foam::melt::centralViscosity::centralViscosity
+(
+    const dictionary&,
+    const sphSystem& system
+)
+:
+    viscousOperator(system)
+{}
+
+
+void Foam::melt::centralViscosity::update()
+{
+    const int n = system_.fluid.size();
+    for (std::vector<double>& component : diagonal_)
+    {
+        component.resize(n);
+    }
+    wallPull_.resize(n);
+
+    pairPass
+    (
+        system_.near,
+        system_.walls,
+        system_.fluid,
+        blockLaw(system_, diagonal_, wallPull_)
+    );
+}
+
+
+void Foam::melt::centralViscosity::force
+(
+    const vectorArray& v,
+    const double wallFactor,
+    vectorArray& force
+)
+{
+    pairPass
+    (
+        system_.near,
+        system_.walls,
+        system_.fluid,
+        neighbourLaw(system_, v, force)
+    );
+
+    const blocks& b = diagonal_;
+    const int n = v.size();
+
+    #pragma omp parallel for simd schedule(static)
+    for (int i = 0; i < n; ++i)
+    {
+        const double x = v.x[i], y = v.y[i], z = v.z[i];
+        force.x[i] +=
+            wallFactor*wallPull_.x[i] - b[0][i]*x - b[1][i]*y - b[2][i]*z;
+        force.y[i] +=
+            wallFactor*wallPull_.y[i] - b[1][i]*x - b[3][i]*y - b[4][i]*z;
+        force.z[i] +=
+            wallFactor*wallPull_.z[i] - b[2][i]*x - b[4][i]*y - b[5][i]*z;
+    }
+}
+
+
+void Foam::melt::centralViscosity::diagonal(blocks& diagonal) const
+{
+    diagonal = diagonal_;
+}
+
+
+std::size_t Foam::melt::centralViscosity::bytes() const
+{
+    return wallPull_.bytes() + 6*sizeof(double)*diagonal_[0].capacity();
+}
+
+// ************************************************************************* //
