@@ -161,7 +161,7 @@ Foam::melt::meltScene::meltScene
             "meltProperties",
             mesh.time().constant(),
             mesh,
-            IOobject::MUST_READ,
+            IOobject::MUST_READ_IF_MODIFIED,
             IOobject::NO_WRITE
         )
     ),

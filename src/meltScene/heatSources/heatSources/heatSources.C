@@ -1,0 +1,99 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "heatSources.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::melt::heatSources::make()
+{
+    const dictionary& sources = dict_.subOrEmptyDict("heatSources");
+    const wordList names(sources.toc());
+
+    clear();
+    setSize(names.size());
+    forAll(names, i)
+    {
+        set(i, heatSource::New(names[i], sources.subDict(names[i])));
+    }
+    digest_ = sources.digest();
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::melt::heatSources::heatSources(const dictionary& meltProperties)
+:
+    dict_(meltProperties)
+{
+    make();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::melt::heatSources::update()
+{
+    if (dict_.subOrEmptyDict("heatSources").digest() == digest_)
+    {
+        return false;
+    }
+    make();
+    return true;
+}
+
+
+Foam::melt::absorbedHeat Foam::melt::heatSources::heatSurface
+(
+    const scalar time,
+    const surfaceElements& elements,
+    const occlusion& shade
+) const
+{
+    absorbedHeat absorbed(elements.size());
+    for (const heatSource& source : *this)
+    {
+        if (source.active())
+        {
+            source.heatSurface(time, elements, shade, absorbed);
+        }
+    }
+    return absorbed;
+}
+
+
+bool Foam::melt::heatSources::inVolume() const
+{
+    for (const heatSource& source : *this)
+    {
+        if (source.active() && source.inVolume())
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+Foam::scalarField Foam::melt::heatSources::heatVolume
+(
+    const scalar time,
+    const pointField& positions,
+    const scalarField& volumes
+) const
+{
+    scalarField power(positions.size(), 0);
+    for (const heatSource& source : *this)
+    {
+        if (source.active())
+        {
+            source.heatVolume(time, positions, volumes, power);
+        }
+    }
+    return power;
+}
+
+// ************************************************************************* //

@@ -1,0 +1,248 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "voxelGrid.H"
+
+#include <algorithm>
+#include <cstring>
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::melt::voxelGrid::voxelGrid
+(
+    const std::array<int, 3>& n,
+    const double dx,
+    const voxelMaterial& material,
+    const std::array<bool, 5>& open
+)
+:
+    n_(n),
+    nBricks_{(n[0] + 7)/8, (n[1] + 7)/8, (n[2] + 7)/8},
+    dx_(dx),
+    material_(material),
+    void_(),
+    rock_(),
+    brick_(std::size_t(nBricks_[0])*nBricks_[1]*nBricks_[2], &void_),
+    own_(brick_.size()),
+    open_(open)
+{
+    std::fill_n(rock_.phase, voxelBrick::size, std::uint8_t(ROCK));
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::melt::voxelBrick& Foam::melt::voxelGrid::make(const int index)
+{
+    #pragma omp critical (meltVoxelGridMake)
+    if (!own_[index])
+    {
+        own_[index].reset(new voxelBrick(*brick_[index]));
+        brick_[index] = own_[index].get();
+        listChanged_ = true;
+    }
+    return *own_[index];
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+const std::vector<int>& Foam::melt::voxelGrid::list()
+{
+    if (listChanged_)
+    {
+        list_.clear();
+        for (std::size_t i = 0; i < own_.size(); ++i)
+        {
+            if (own_[i])
+            {
+                list_.push_back(int(i));
+            }
+        }
+        listChanged_ = false;
+    }
+    return list_;
+}
+
+
+std::uint8_t Foam::melt::voxelGrid::outsidePhase
+(
+    const int x,
+    const int y,
+    const int z
+) const
+{
+    const bool isOpen =
+        z < 0 ? open_[4]
+      : z >= n_[2] ? true
+      : x < 0 ? open_[0]
+      : x >= n_[0] ? open_[1]
+      : y < 0 ? open_[2]
+      : open_[3];
+
+    return isOpen ? EMPTY : ROCK;
+}
+
+
+void Foam::melt::voxelGrid::fill
+(
+    const int x,
+    const int y,
+    const int z,
+    const double share,
+    const double T
+)
+{
+    voxelBrick& b = ownAt(x, y, z);
+    const int i = voxelBrick::offset(x, y, z);
+    const auto mass = std::int32_t
+    (
+        std::min<std::int64_t>
+        (
+            std::llround(share*b.capacity(i)), b.capacity(i) - b.mass[i]
+        )
+    );
+    b.energy[i] += material_.energy(mass, material_.curve.h(T));
+    b.mass[i] += mass;
+    b.changed = true;
+}
+
+
+void Foam::melt::voxelGrid::fillRock
+(
+    const int x,
+    const int y,
+    const int z,
+    const double share
+)
+{
+    const int level = int(std::lround(256*share));
+    if (level > 0)
+    {
+        voxelBrick& b = ownAt(x, y, z);
+        const int i = voxelBrick::offset(x, y, z);
+        b.rock[i] = std::uint8_t(std::min(level, 255));
+        b.phase[i] = level > 255 ? ROCK : EMPTY;
+        b.changed = true;
+    }
+}
+
+
+void Foam::melt::voxelGrid::refresh()
+{
+    const std::vector<int>& bricks = list();
+    const int n = int(bricks.size());
+    std::vector<char> disposable(n, 0);
+    bool solidsChanged = false;
+
+    #pragma omp parallel for schedule(dynamic, 8) reduction(||:solidsChanged)
+    for (int bricki = 0; bricki < n; ++bricki)
+    {
+        voxelBrick& b = *own_[bricks[bricki]];
+        if (!b.changed)
+        {
+            continue;
+        }
+        b.nLiquid = 0;
+        b.nSolid = 0;
+        bool used = false;
+        bool rock = true;
+        for (int i = 0; i < voxelBrick::size; ++i)
+        {
+            if (b.phase[i] == ROCK)
+            {
+                used = true;
+                continue;
+            }
+            rock = false;
+            used = used || b.rock[i];
+            std::uint8_t phase = EMPTY;
+            if (b.mass[i] > 0)
+            {
+                const double h = material_.h(b.mass[i], b.energy[i]);
+                b.T[i] = material_.curve.T(h);
+                phase = material_.flows(h) ? LIQUID : SOLID;
+                ++(phase == LIQUID ? b.nLiquid : b.nSolid);
+                used = true;
+            }
+            else if (b.energy[i])
+            {
+                addResidual(b.energy[i]);
+                b.energy[i] = 0;
+            }
+            solidsChanged =
+                solidsChanged
+             || (phase != b.phase[i] && (phase == SOLID || b.phase[i] == SOLID));
+            b.phase[i] = phase;
+        }
+        b.changed = false;
+        b.conducting = true;
+        disposable[bricki] = !used ? 1 : rock ? 2 : 0;
+    }
+    solidsChanged_ = solidsChanged_ || solidsChanged;
+
+    for (int bricki = 0; bricki < n; ++bricki)
+    {
+        if (disposable[bricki])
+        {
+            const int index = bricks[bricki];
+            brick_[index] = disposable[bricki] == 1 ? &void_ : &rock_;
+            own_[index].reset();
+            listChanged_ = true;
+        }
+    }
+}
+
+
+bool Foam::melt::voxelGrid::takeSolidsChanged()
+{
+    const bool result = solidsChanged_;
+    solidsChanged_ = false;
+    return result;
+}
+
+
+std::int64_t Foam::melt::voxelGrid::totalMass() const
+{
+    std::int64_t total = 0;
+    for (const auto& b : own_)
+    {
+        for (int i = 0; b && i < voxelBrick::size; ++i)
+        {
+            total += b->mass[i];
+        }
+    }
+    return total;
+}
+
+
+std::int64_t Foam::melt::voxelGrid::totalEnergy() const
+{
+    std::int64_t total = residual_;
+    for (const auto& b : own_)
+    {
+        for (int i = 0; b && i < voxelBrick::size; ++i)
+        {
+            total += b->energy[i];
+        }
+    }
+    return total;
+}
+
+
+std::size_t Foam::melt::voxelGrid::bytes() const
+{
+    std::size_t n = 0;
+    for (const auto& b : own_)
+    {
+        n += bool(b);
+    }
+    return
+        n*sizeof(voxelBrick) + brick_.size()*2*sizeof(void*)
+      + list_.capacity()*sizeof(int);
+}
+
+// ************************************************************************* //

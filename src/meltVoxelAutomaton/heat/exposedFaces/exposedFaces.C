@@ -1,0 +1,111 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "exposedFaces.H"
+
+#include <algorithm>
+#include <cmath>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam::melt;
+
+void facesOfVoxel
+(
+    const voxelGrid& grid,
+    const std::array<int, 3>& v,
+    const float filled,
+    std::vector<exposedFace>& free,
+    std::vector<exposedFace>& atSides
+)
+{
+    const std::size_t begin = free.size();
+    float sum[3] = {0, 0, 0};
+    float largest = 0, total = 0;
+    for (int side = 0; side < 6; ++side)
+    {
+        const std::array<int, 3> n = exposedFaces::normal(side);
+        const int x = v[0] + n[0], y = v[1] + n[1], z = v[2] + n[2];
+        const float area = side < 4 ? filled : 1;
+        exposedFace face{v[0], v[1], v[2], side, area, area};
+        if (!grid.inside(x, y, z))
+        {
+            atSides.push_back(face);
+        }
+        else if (grid.phase(x, y, z) == EMPTY)
+        {
+            free.push_back(face);
+            sum[side/2] += area*n[side/2];
+            largest = std::max(largest, area);
+            total += area;
+        }
+    }
+    const float surface = std::max
+    (
+        largest,
+        std::sqrt(sum[0]*sum[0] + sum[1]*sum[1] + sum[2]*sum[2])
+    );
+    for (std::size_t i = begin; i < free.size(); ++i)
+    {
+        free[i].smooth = free[i].area*surface/total;
+    }
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::melt::exposedFaces::build(voxelGrid& grid)
+{
+    const std::vector<int>& bricks = grid.list();
+    const int n = int(bricks.size());
+    std::vector<std::vector<exposedFace>> freeOf(n), atSidesOf(n);
+
+    #pragma omp parallel for schedule(dynamic, 4)
+    for (int bricki = 0; bricki < n; ++bricki)
+    {
+        const voxelBrick& b = grid.brick(bricks[bricki]);
+        if (b.nLiquid + b.nSolid == 0)
+        {
+            continue;
+        }
+        const std::array<int, 3> o = grid.origin(bricks[bricki]);
+        for (int i = 0; i < voxelBrick::size; ++i)
+        {
+            if (b.mass[i] > 0)
+            {
+                facesOfVoxel
+                (
+                    grid,
+                    {o[0] + (i >> 6), o[1] + ((i >> 3) & 7), o[2] + (i & 7)},
+                    float(b.mass[i])/voxelMaterial::full,
+                    freeOf[bricki],
+                    atSidesOf[bricki]
+                );
+            }
+        }
+    }
+
+    free.clear();
+    atSides.clear();
+    for (int bricki = 0; bricki < n; ++bricki)
+    {
+        free.insert
+        (
+            free.end(), freeOf[bricki].begin(), freeOf[bricki].end()
+        );
+        atSides.insert
+        (
+            atSides.end(), atSidesOf[bricki].begin(), atSidesOf[bricki].end()
+        );
+    }
+}
+
+// ************************************************************************* //

@@ -1,0 +1,226 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "voxelConduction.H"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+// A brick and one layer around it
+constexpr int side = 10;
+
+struct surroundings
+{
+    double T[side*side*side];
+    double kappa[side*side*side];
+    double filled[side*side*side];
+};
+
+
+void gather
+(
+    const Foam::melt::voxelGrid& grid,
+    const int index,
+    surroundings& s
+)
+{
+    using namespace Foam::melt;
+    const voxelMaterial& material = grid.material();
+    const std::array<int, 3> o = grid.origin(index);
+    const std::array<int, 3>& nb = grid.nBricks();
+
+    for (int n = 0; n < 27; ++n)
+    {
+        const int dx = n/9 - 1, dy = n/3 % 3 - 1, dz = n % 3 - 1;
+        const int bx = o[0]/8 + dx, by = o[1]/8 + dy, bz = o[2]/8 + dz;
+        const bool there =
+            bx >= 0 && bx < nb[0] && by >= 0 && by < nb[1]
+         && bz >= 0 && bz < nb[2];
+        const voxelBrick* b =
+            there ? &grid.brick(grid.brickIndex(bx, by, bz)) : nullptr;
+        const bool melt = b && (b->nLiquid || b->nSolid);
+
+        const auto begin = [](const int d) { return d > 0 ? 9 : d < 0 ? 0 : 1; };
+        const auto end = [](const int d) { return d > 0 ? 10 : d < 0 ? 1 : 9; };
+        for (int x = begin(dx); x < end(dx); ++x)
+        {
+            for (int y = begin(dy); y < end(dy); ++y)
+            {
+                for (int z = begin(dz); z < end(dz); ++z)
+                {
+                    const int to = (x*side + y)*side + z;
+                    const int i = voxelBrick::offset(x - 1, y - 1, z - 1);
+                    const bool filled = melt && b->mass[i] > 0;
+                    s.T[to] = filled ? b->T[i] : 0;
+                    s.filled[to] =
+                        filled ? double(b->mass[i])/voxelMaterial::full : 0;
+                    s.kappa[to] =
+                        !filled ? 0
+                      : b->phase[i] == LIQUID ? material.kappaLiquid
+                      : material.kappaSolid;
+                }
+            }
+        }
+    }
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::melt::voxelConduction::voxelConduction(const int neighbours)
+:
+    sum_(0)
+{
+    const double f =
+        neighbours == 6 ? 1 : neighbours == 18 ? 3
+      : neighbours == 26 ? 13.0/3 : 0;
+    if (f == 0)
+    {
+        throw std::invalid_argument("neighbours: 6, 18 or 26");
+    }
+    const int farthest = neighbours == 6 ? 1 : neighbours == 18 ? 2 : 3;
+
+    for (int n = 0; n < 27; ++n)
+    {
+        const int x = n/9 - 1, y = n/3 % 3 - 1, z = n % 3 - 1;
+        const int l2 = x*x + y*y + z*z;
+        if (l2 > 0 && l2 <= farthest)
+        {
+            step_.push_back((x*side + y)*side + z);
+            weight_.push_back(1/(f*l2));
+            sum_ += weight_.back();
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::melt::voxelConduction::conductBrick
+(
+    voxelGrid& grid,
+    const int index,
+    const double dt
+)
+{
+    thread_local surroundings s;
+    gather(grid, index, s);
+
+    const double toUnits = dt*grid.dx()/grid.material().energyUnit;
+    voxelBrick& b = grid.own(index);
+    bool exchanged = false;
+
+    for (int x = 0; x < 8; ++x)
+    {
+        for (int y = 0; y < 8; ++y)
+        {
+            const int row = ((x + 1)*side + y + 1)*side + 1;
+            std::int64_t gained[8] = {};
+            for (std::size_t n = 0; n < step_.size(); ++n)
+            {
+                const double w = 2*toUnits*weight_[n];
+                const int other = row + step_[n];
+                for (int z = 0; z < 8; ++z)
+                {
+                    // Odd in the two voxels: they round alike
+                    const double k1 = s.kappa[row + z];
+                    const double k2 = s.kappa[other + z];
+                    const double filled =
+                        std::min(s.filled[row + z], s.filled[other + z]);
+                    const double sum = k1 + k2;
+                    const double kappa = sum > 0 ? k1*k2/sum : 0;
+                    gained[z] += std::int64_t
+                    (
+                        w*kappa*filled*(s.T[other + z] - s.T[row + z])
+                    );
+                }
+            }
+            for (int z = 0; z < 8; ++z)
+            {
+                b.energy[voxelBrick::offset(x, y, z)] += gained[z];
+                exchanged = exchanged || gained[z];
+            }
+        }
+    }
+    return exchanged;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::melt::voxelConduction::conduct(voxelGrid& grid, const double dt)
+{
+    const std::vector<int>& bricks = grid.list();
+    const std::array<int, 3>& nb = grid.nBricks();
+    const int n = int(bricks.size());
+
+    // Bricks that changed, and those beside them
+    std::vector<char> visit(std::size_t(nb[0])*nb[1]*nb[2], 0);
+    for (const int index : bricks)
+    {
+        if (grid.brick(index).conducting)
+        {
+            const std::array<int, 3> o = grid.origin(index);
+            for (int i = 0; i < 27; ++i)
+            {
+                const int bx = o[0]/8 + i/9 - 1;
+                const int by = o[1]/8 + i/3 % 3 - 1;
+                const int bz = o[2]/8 + i % 3 - 1;
+                if
+                (
+                    bx >= 0 && bx < nb[0] && by >= 0 && by < nb[1]
+                 && bz >= 0 && bz < nb[2]
+                )
+                {
+                    visit[grid.brickIndex(bx, by, bz)] = 1;
+                }
+            }
+        }
+    }
+
+    // Temperatures and phases are those of before until the refresh
+    #pragma omp parallel for schedule(dynamic, 2)
+    for (int i = 0; i < n; ++i)
+    {
+        const voxelBrick& b = grid.brick(bricks[i]);
+        if (visit[bricks[i]] && (b.nLiquid || b.nSolid))
+        {
+            visit[bricks[i]] = conductBrick(grid, bricks[i], dt) ? 2 : 1;
+        }
+    }
+    for (const int index : bricks)
+    {
+        voxelBrick& b = grid.own(index);
+        b.changed = b.changed || visit[index] == 2;
+        b.conducting = false;
+    }
+    grid.refresh();
+}
+
+
+double Foam::melt::voxelConduction::maxDeltaT(const voxelGrid& grid) const
+{
+    const voxelMaterial& material = grid.material();
+    const double kappa = std::max(material.kappaSolid, material.kappaLiquid);
+    const double Cp =
+        std::min(material.curve.CpSolid, material.curve.CpLiquid);
+
+    return
+        kappa > 0
+      ? material.rho*Cp*grid.dx()*grid.dx()/(kappa*sum_)
+      : 1e30;
+}
+
+// ************************************************************************* //
