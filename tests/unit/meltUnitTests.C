@@ -104,6 +104,12 @@ int main(int argc, char* argv[])
 
     // Under mpirun the case is that of the master: a slave's own stayed empty
     rmDir(caseDir, true);
+
+    // The destructor of argList ends the program with 0
+    if (result != EXIT_SUCCESS)
+    {
+        std::exit(result);
+    }
     return result;
 }
 

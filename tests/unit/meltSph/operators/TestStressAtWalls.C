@@ -38,26 +38,29 @@ particleCloud floored(const tensor6& S, const bool slip)
 
 
 //- Acceleration of each particle by the wall: that with it less that without
-std::array<particles::array, 3> wallForce(const tensor6& S, const bool slip)
+std::array<particles::array, 3> wallForce
+(
+    const tensor6& S,
+    const bool slip,
+    const vector3& normal = {0, 0, 1}
+)
 {
     particleCloud cloud = floored(S, slip);
     particles& f = cloud.fluid;
+    cloud.walls.nx.assign(cloud.walls.size(), normal[0]);
+    cloud.walls.ny.assign(cloud.walls.size(), normal[1]);
+    cloud.walls.nz.assign(cloud.walls.size(), normal[2]);
     addStressDivergence(cloud.near, cloud.walls, f);
     std::array<particles::array, 3> force{f.ax, f.ay, f.az};
 
     particleCloud free(cloud.points());
     free.fluid.S = f.S;
     addStressDivergence(free.near, free.walls, free.fluid);
-    const particles::array* const without[3] =
-    {
-        &free.fluid.ax, &free.fluid.ay, &free.fluid.az
-    };
     for (int i = 0; i < cloud.size(); ++i)
     {
-        for (int a = 0; a < 3; ++a)
-        {
-            force[a][i] -= (*without[a])[i];
-        }
+        force[0][i] -= free.fluid.ax[i];
+        force[1][i] -= free.fluid.ay[i];
+        force[2][i] -= free.fluid.az[i];
     }
     return force;
 }
@@ -75,14 +78,28 @@ bool central(const particleCloud& cloud, const int i)
 } // End anonymous namespace
 
 
-// Shear along the wall alone: not the least force on any particle
+// Shear along the wall alone, S = n t + t n, n.t = 0: not the least force on
+// any particle, whatever the normal
 TEST(StressAtWalls, slipWallTakesNoShear)
 {
-    for (const particles::array& force : wallForce({0, 0, 3, 0, -5, 0}, true))
+    const std::pair<vector3, vector3> walls[] =
     {
-        for (const double value : force)
+        {{0, 0, 1}, {3, -5, 0}}, {{1, 0, 0}, {0, 2, 7}}, {{0, 1, 0}, {4, 0, 1}},
+        {{2.0/7, -3.0/7, 6.0/7}, {3, -2, -2}}
+    };
+    for (const auto& [n, t] : walls)
+    {
+        const tensor6 S
         {
-            ASSERT_NEAR(value, 0, 1e-12);
+            2*n[0]*t[0], n[0]*t[1] + n[1]*t[0], n[0]*t[2] + n[2]*t[0],
+            2*n[1]*t[1], n[1]*t[2] + n[2]*t[1], 2*n[2]*t[2]
+        };
+        for (const particles::array& force : wallForce(S, true, n))
+        {
+            for (const double value : force)
+            {
+                ASSERT_NEAR(value, 0, 1e-12);
+            }
         }
     }
 }
