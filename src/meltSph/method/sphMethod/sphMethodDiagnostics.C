@@ -7,9 +7,11 @@
 #include "sphMethod.H"
 #include "blockSum.H"
 #include "fvMesh.H"
+#include "meltCompat.H"
 #include "Time.H"
 
 #include <cmath>
+#include <limits>
 
 Foam::point Foam::melt::sphMethod::centreOfMass() const
 {
@@ -60,7 +62,17 @@ void Foam::melt::sphMethod::writeSums()
     sums_.set("escapedMass", escapedMass_);
     sums_.set("initialCentre", initialCentre_);
     sums_.instance() = mesh_.time().timeName();
-    sums_.regIOobject::write();
+
+    // All digits, for a restart that goes on as if never stopped
+    const unsigned int precision = IOstream::defaultPrecision
+    (
+        std::numeric_limits<scalar>::max_digits10
+    );
+    sums_.regIOobject::writeObject
+    (
+        MELT_WRITE_OBJECT_DEFAULTS(mesh_.time()), true
+    );
+    IOstream::defaultPrecision(precision);
 }
 
 
@@ -135,9 +147,9 @@ Foam::melt::meltDiagnostics Foam::melt::sphMethod::diagnostics() const
     (
         [&](const int i)
         {
-            // Integral of p/rho^2 from rho0, where p >= 0
+            // Integral of p/rho^2 from rho0
             const double r = f.rho[i]/rho0;
-            return f.p[i] > 0 ? f.m[i]*c*c*(std::log(r) + 1/r - 1) : 0;
+            return f.p[i] != 0 ? f.m[i]*c*c*(std::log(r) + 1/r - 1) : 0;
         }
     );
     d.workOfGravity = initialPotentialEnergy_ - d.potentialEnergy;

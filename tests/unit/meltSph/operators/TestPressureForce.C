@@ -128,4 +128,31 @@ TEST(PressureForce, wallCarriesHydrostaticPressure)
     }
 }
 
+
+// Drawn-apart melt at a wall: its pressure is negative, the wall does not pull
+TEST(PressureForce, wallDoesNotPull)
+{
+    const lattice points
+    {
+        {6, 6, 6}, 0.01, smoothingKernel::kernelType::wendlandC2, 1.2
+    };
+    particleCloud atWall(points);
+    atWall.addWall(1, false);
+    atWall.build();
+    particleCloud alone(points);
+
+    for (particleCloud* cloud : {&atWall, &alone})
+    {
+        particles& f = cloud->fluid;
+        std::fill(f.p.begin(), f.p.end(), -100);
+        wallExtrapolation(cloud->near, f, {0, 0, 0}, cloud->walls);
+        addPressureForce(cloud->near, cloud->walls, f);
+    }
+    for (int i = 0; i < alone.size(); ++i)
+    {
+        ASSERT_EQ(atWall.fluid.id[i], alone.fluid.id[i]);
+        ASSERT_NEAR(atWall.fluid.ay[i], alone.fluid.ay[i], 1e-12);
+    }
+}
+
 // ************************************************************************* //
