@@ -56,6 +56,12 @@ void Foam::melt::sphMethod::readSums()
 
 void Foam::melt::sphMethod::writeSums()
 {
+    // All digits, for a restart that goes on as if never stopped; an entry is
+    // made into text when it is set
+    const unsigned int precision = IOstream::defaultPrecision
+    (
+        std::numeric_limits<scalar>::max_digits10
+    );
     sums_.set("heatIn", heatIn_);
     sums_.set("heatOut", heatOut_);
     sums_.set("initialPotentialEnergy", initialPotentialEnergy_);
@@ -63,11 +69,6 @@ void Foam::melt::sphMethod::writeSums()
     sums_.set("initialCentre", initialCentre_);
     sums_.instance() = mesh_.time().timeName();
 
-    // All digits, for a restart that goes on as if never stopped
-    const unsigned int precision = IOstream::defaultPrecision
-    (
-        std::numeric_limits<scalar>::max_digits10
-    );
     sums_.regIOobject::writeObject
     (
         MELT_WRITE_OBJECT_DEFAULTS(mesh_.time()), true
