@@ -69,7 +69,8 @@ Foam::melt::povScene::povScene
     const camera& view,
     const colourScale& colours,
     const boundBox& box,
-    const boundBox& domain
+    const boundBox& domain,
+    const fileName& caseDirectory
 )
 :
     camera_(view),
@@ -80,7 +81,8 @@ Foam::melt::povScene::povScene
         dict.getCheckOrDefault<scalar>("gloss", 0.3, scalarMinMax(0, 1))
     ),
     lights_(dict, view, box, domain),
-    legend_(dict, view, colours)
+    legend_(dict, view, colours),
+    scenery_(dict, caseDirectory)
 {}
 
 
@@ -109,6 +111,7 @@ void Foam::melt::povScene::writeStage(Ostream& os) const
     lights_.writeLamps(os);
     lights_.writeFloor(os, scale_);
     writeMaterial(os);
+    scenery_.write(os, camera_.target(), scale_);
     legend_.write(os, scale_);
 }
 

@@ -135,7 +135,8 @@ Foam::melt::pictureSeries::pictureSeries
         camera_,
         colours_,
         extent_.box,
-        mesh.bounds()
+        mesh.bounds(),
+        runTime.globalPath()
     ),
     dir_
     (

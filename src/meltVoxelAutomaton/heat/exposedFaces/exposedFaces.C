@@ -79,12 +79,21 @@ void Foam::melt::exposedFaces::build(voxelGrid& grid)
         const std::array<int, 3> o = grid.origin(bricks[bricki]);
         for (int i = 0; i < voxelBrick::size; ++i)
         {
-            if (b.mass[i] > 0)
+            const int x = i >> 6, y = (i >> 3) & 7, z = i & 7;
+            const auto filled = [&](const int step)
+            {
+                return b.phase[i + step] != EMPTY;
+            };
+            const bool within =
+                x > 0 && x < 7 && y > 0 && y < 7 && z > 0 && z < 7
+             && filled(-64) && filled(64) && filled(-8) && filled(8)
+             && filled(-1) && filled(1);
+            if (b.mass[i] > 0 && !within)
             {
                 facesOfVoxel
                 (
                     grid,
-                    {o[0] + (i >> 6), o[1] + ((i >> 3) & 7), o[2] + (i & 7)},
+                    {o[0] + x, o[1] + y, o[2] + z},
                     float(b.mass[i])/voxelMaterial::full,
                     freeOf[bricki],
                     atSidesOf[bricki]

@@ -22,7 +22,10 @@ constexpr int side = 10;
 struct surroundings
 {
     double T[side*side*side];
-    double kappa[side*side*side];
+
+    //- 1 if liquid, else 0
+    double liquid[side*side*side];
+
     double filled[side*side*side];
 };
 
@@ -35,7 +38,6 @@ void gather
 )
 {
     using namespace Foam::melt;
-    const voxelMaterial& material = grid.material();
     const std::array<int, 3> o = grid.origin(index);
     const std::array<int, 3>& nb = grid.nBricks();
 
@@ -64,10 +66,7 @@ void gather
                     s.T[to] = filled ? b->T[i] : 0;
                     s.filled[to] =
                         filled ? double(b->mass[i])/voxelMaterial::full : 0;
-                    s.kappa[to] =
-                        !filled ? 0
-                      : b->phase[i] == LIQUID ? material.kappaLiquid
-                      : material.kappaSolid;
+                    s.liquid[to] = filled && b->phase[i] == LIQUID;
                 }
             }
         }
@@ -118,7 +117,16 @@ bool Foam::melt::voxelConduction::conductBrick
     thread_local surroundings s;
     gather(grid, index, s);
 
-    const double toUnits = dt*grid.dx()/grid.material().energyUnit;
+    const voxelMaterial& material = grid.material();
+    const double toUnits = dt*grid.dx()/material.energyUnit;
+
+    // Conductivity of a pair with 0, 1, 2 liquid voxels as a polynomial
+    const double solid = material.kappaSolid, liquid = material.kappaLiquid;
+    const double mixed =
+        solid + liquid > 0 ? 2*solid*liquid/(solid + liquid) : 0;
+    const double linear = 2*mixed - 1.5*solid - 0.5*liquid;
+    const double square = 0.5*(solid + liquid) - mixed;
+
     voxelBrick& b = grid.own(index);
     bool exchanged = false;
 
@@ -130,17 +138,16 @@ bool Foam::melt::voxelConduction::conductBrick
             std::int64_t gained[8] = {};
             for (std::size_t n = 0; n < step_.size(); ++n)
             {
-                const double w = 2*toUnits*weight_[n];
+                const double w = toUnits*weight_[n];
                 const int other = row + step_[n];
+                #pragma omp simd
                 for (int z = 0; z < 8; ++z)
                 {
                     // Odd in the two voxels: they round alike
-                    const double k1 = s.kappa[row + z];
-                    const double k2 = s.kappa[other + z];
                     const double filled =
                         std::min(s.filled[row + z], s.filled[other + z]);
-                    const double sum = k1 + k2;
-                    const double kappa = sum > 0 ? k1*k2/sum : 0;
+                    const double m = s.liquid[row + z] + s.liquid[other + z];
+                    const double kappa = solid + m*(linear + m*square);
                     gained[z] += std::int64_t
                     (
                         w*kappa*filled*(s.T[other + z] - s.T[row + z])

@@ -69,16 +69,16 @@ void forAllFilled
             std::vector<double> share(size[2], 0);
             for (int z = 1; z < size[2] - 1; ++z)
             {
-                int n = 0;
-                for (int i = 0; i < 27; ++i)
-                {
-                    n += inside
-                    [
-                        index(x + i/9 - 1, y + i/3 % 3 - 1, z + i % 3 - 1)
-                    ];
-                }
-                share[z] = n == 27;
-                if (n > 0 && n < 27)
+                const bool centre = inside[index(x, y, z)];
+                const bool uniform =
+                    inside[index(x - 1, y, z)] == centre
+                 && inside[index(x + 1, y, z)] == centre
+                 && inside[index(x, y - 1, z)] == centre
+                 && inside[index(x, y + 1, z)] == centre
+                 && inside[index(x, y, z - 1)] == centre
+                 && inside[index(x, y, z + 1)] == centre;
+                share[z] = uniform && centre;
+                if (!uniform)
                 {
                     mixed.push_back(z);
                     for (int i = 0; i < 27; ++i)

@@ -142,6 +142,10 @@ double Foam::melt::gravityRule::fallColumn
             {
                 const int i = __builtin_ctzll(liquid)/8;
                 const std::int32_t mass = b.mass[8*column + i];
+                if (i > 0 && b.mass[8*column + i - 1] == voxelMaterial::full)
+                {
+                    continue;
+                }
                 const std::int64_t moved = fall
                 (
                     grid, 8*bx + column/8, 8*by + column % 8, 8*bz + i, dt

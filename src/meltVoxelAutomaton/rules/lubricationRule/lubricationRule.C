@@ -48,8 +48,8 @@ double Foam::melt::lubricationRule::portion
     const double thin = std::clamp(receiverSurface - floor, 0.0, thick);
     const double slope = drop/std::sqrt(1 + drop*drop);
     const double fluidity = film_.fluidity(donor.T, weight_*thick*dx*slope);
-    const double mean = 0.5*(thick + thin);
-    const double mobility = weight_*fluidity*dt*dx/3*mean*mean*mean;
+    const double cube = 0.25*(thick + thin)*(thick*thick + thin*thin);
+    const double mobility = weight_*fluidity*dt*dx/3*cube;
 
     return std::min({mobility*slope, maxPortion*drop, maxPortion*h});
 }
