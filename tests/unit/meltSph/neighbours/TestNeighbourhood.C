@@ -161,6 +161,8 @@ TEST(Neighbourhood, wallsSeeWhatSeesThem)
         ASSERT_EQ(walls.wallV[i], walls.x[i]);
         ASSERT_EQ(walls.T[i], walls.y[i]);
         ASSERT_EQ(bool(walls.slip[i]), walls.patch[i] == 1);
+        ASSERT_EQ(walls.nx[i], walls.patch[i] == 1 ? -1 : 0);
+        ASSERT_EQ(walls.nz[i], walls.patch[i] == 1 ? 0 : 1);
     }
     EXPECT_EQ(faces.size(), walls.size());
 
