@@ -117,12 +117,14 @@ Foam::melt::runLog::runLog
         )
     ),
     file_(scene.mesh()),
+    record_(scene, method),
     start_(now()),
     last_(start_)
 {
     const meltDiagnostics figures(method_.diagnostics());
     print(figures);
     file_.write(figures);
+    record_.write();
 }
 
 
@@ -154,6 +156,11 @@ void Foam::melt::runLog::step()
     }
 
     file_.write(figures);
+
+    if (time_.writeTime())
+    {
+        record_.write();
+    }
 }
 
 

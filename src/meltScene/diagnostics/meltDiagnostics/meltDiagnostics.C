@@ -16,6 +16,7 @@ void Foam::melt::meltDiagnostics::writeHeader(Ostream& os)
     os  << tab << "mass[kg]"
         << tab << "volume[m3]"
         << tab << "meltedFraction[-]"
+        << tab << "solidFraction[-]"
         << tab << "centreOfMassX[m]"
         << tab << "centreOfMassY[m]"
         << tab << "centreOfMassZ[m]"
@@ -32,6 +33,7 @@ void Foam::melt::meltDiagnostics::writeHeader(Ostream& os)
         << tab << "potentialEnergy[J]"
         << tab << "elasticEnergy[J]"
         << tab << "workOfGravity[J]"
+        << tab << "workOut[J]"
         << tab << "heatIn[J]"
         << tab << "heatOut[J]"
         << tab << "maxU[m/s]"
@@ -47,7 +49,8 @@ void Foam::melt::meltDiagnostics::write(Ostream& os) const
         os  << tab << v.x() << tab << v.y() << tab << v.z();
     };
 
-    os  << tab << mass << tab << volume << tab << meltedFraction;
+    os  << tab << mass << tab << volume << tab << meltedFraction
+        << tab << solidFraction();
     vectorColumns(centreOfMass);
     vectorColumns(bounds.min());
     vectorColumns(bounds.max());
@@ -58,6 +61,7 @@ void Foam::melt::meltDiagnostics::write(Ostream& os) const
         << tab << potentialEnergy
         << tab << elasticEnergy
         << tab << workOfGravity
+        << tab << workOut()
         << tab << heatIn
         << tab << heatOut
         << tab << maxU

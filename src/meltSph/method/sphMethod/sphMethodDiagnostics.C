@@ -102,19 +102,22 @@ Foam::melt::meltDiagnostics Foam::melt::sphMethod::diagnostics() const
             [&](const int i) { return f.m[i]*curve.liquidFraction(f.h[i]); }
         )/d.mass;
     d.centreOfMass = centreOfMass();
+
+    // A particle is a cube of its volume
+    const auto half = [&](const int i) { return 0.5*std::cbrt(f.m[i]/f.rho[i]); };
     d.bounds = boundBox
     (
         point
         (
-           -highest([&](const int i) { return -f.x[i]; }),
-           -highest([&](const int i) { return -f.y[i]; }),
-           -highest([&](const int i) { return -f.z[i]; })
+           -highest([&](const int i) { return half(i) - f.x[i]; }),
+           -highest([&](const int i) { return half(i) - f.y[i]; }),
+           -highest([&](const int i) { return half(i) - f.z[i]; })
         ),
         point
         (
-            highest([&](const int i) { return f.x[i]; }),
-            highest([&](const int i) { return f.y[i]; }),
-            highest([&](const int i) { return f.z[i]; })
+            highest([&](const int i) { return f.x[i] + half(i); }),
+            highest([&](const int i) { return f.y[i] + half(i); }),
+            highest([&](const int i) { return f.z[i] + half(i); })
         )
     );
 
@@ -125,14 +128,14 @@ Foam::melt::meltDiagnostics Foam::melt::sphMethod::diagnostics() const
         return f.x[i]*up.x() + f.y[i]*up.y() + f.z[i]*up.z();
     };
     d.height =
-        highest(upwards)
-      + highest([&](const int i) { return -upwards(i); });
+        highest([&](const int i) { return upwards(i) + half(i); })
+      + highest([&](const int i) { return half(i) - upwards(i); });
     d.frontRadius = highest
     (
         [&](const int i)
         {
             const vector away(point(f.x[i], f.y[i], f.z[i]) - initialCentre_);
-            return mag(away - (away & up)*up);
+            return mag(away - (away & up)*up) + half(i);
         }
     );
 

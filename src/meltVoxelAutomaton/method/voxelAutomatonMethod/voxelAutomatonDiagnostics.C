@@ -153,8 +153,11 @@ Foam::melt::voxelAutomatonMethod::diagnostics() const
                 d.frontRadius = max
                 (
                     d.frontRadius,
-                    std::hypot(x + 0.5 - centre[0], y + 0.5 - centre[1])
-                   *frame_.dx()
+                    frame_.dx()
+                   *(
+                        std::hypot(x + 0.5 - centre[0], y + 0.5 - centre[1])
+                      + 0.5
+                    )
                 );
             }
         }

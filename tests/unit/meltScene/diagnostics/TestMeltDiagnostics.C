@@ -41,6 +41,10 @@ TEST(MeltDiagnostics, valuesAreInTheOrderOfTheHeader)
     figures.mass = 11;
     figures.centreOfMass = point(1, 2, 3);
     figures.maxT = 12;
+    figures.meltedFraction = 0.25;
+    figures.workOfGravity = 9;
+    figures.kineticEnergy = 2;
+    figures.elasticEnergy = 3;
 
     OStringStream header, row;
     meltDiagnostics::writeHeader(header);
@@ -65,8 +69,17 @@ TEST(MeltDiagnostics, valuesAreInTheOrderOfTheHeader)
     };
 
     EXPECT_EQ(column("mass[kg]"), 11);
+    EXPECT_EQ(column("meltedFraction[-]"), 0.25);
+    EXPECT_EQ(column("solidFraction[-]"), 0.75);
+    EXPECT_EQ(column("workOut[J]"), 4);
     EXPECT_EQ(column("centreOfMassY[m]"), 2);
     EXPECT_EQ(column("maxT[K]"), 12);
+}
+
+
+TEST(MeltDiagnostics, nothingIsNeitherLiquidNorSolid)
+{
+    EXPECT_EQ(meltDiagnostics().solidFraction(), 0);
 }
 
 
