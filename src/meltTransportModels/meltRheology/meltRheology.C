@@ -7,6 +7,7 @@
 #include "meltRheology.H"
 #include "addToRunTimeSelectionTable.H"
 #include "checkedEntry.H"
+#include "sigFpe.H"
 #include "surfaceFields.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -131,6 +132,9 @@ Foam::viscosityModels::meltRheology::calcNu() const
         )
     );
     volScalarField& nu = tnu.ref();
+
+    // Vectorised loops compute branches that are not taken
+    const sigFpe::ignore ignored;
 
     const auto evaluate = [&]
     (

@@ -10,13 +10,17 @@
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::melt::meltDiagnosticsFile::meltDiagnosticsFile(const fvMesh& mesh)
+Foam::melt::meltDiagnosticsFile::meltDiagnosticsFile
+(
+    const fvMesh& mesh,
+    const word& name
+)
 :
     // Digits enough for energies of which the difference matters
     writeFile
     (
         mesh,
-        "meltDiagnostics",
+        name,
         "meltDiagnostics",
         dictionary(IStringStream("writePrecision 12;")())
     )
