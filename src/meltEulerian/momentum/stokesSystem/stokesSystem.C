@@ -1,0 +1,245 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "stokesSystem.H"
+
+#include <algorithm>
+#include <cmath>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using Foam::melt::staggeredGrid;
+using Foam::melt::strainElements;
+
+//- Calls action(a, face, lower cell, upper cell) for all faces, cells outside
+//  the box being -1
+template<class Action>
+void forAllFaces(const staggeredGrid& grid, const Action& action)
+{
+    for (int a = 0; a < 3; ++a)
+    {
+        staggeredGrid::triple c, end(grid.n());
+        ++end[a];
+        for (c[2] = 0; c[2] < end[2]; ++c[2])
+        {
+            for (c[1] = 0; c[1] < end[1]; ++c[1])
+            {
+                for (c[0] = 0; c[0] < end[0]; ++c[0])
+                {
+                    staggeredGrid::triple lower(c);
+                    --lower[a];
+                    action
+                    (
+                        a,
+                        grid.face(a, c),
+                        grid.inside(lower) ? grid.cell(lower) : -1,
+                        grid.inside(c) ? grid.cell(c) : -1
+                    );
+                }
+            }
+        }
+    }
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::melt::stokesSystem::setDivergence()
+{
+    const staggeredGrid& grid = elements_.grid();
+    std::vector<Eigen::Triplet<double>> entries;
+    volume_.setZero(elements_.nVelocities());
+    system_.g.setZero(elements_.nPressures());
+    forAllFaces(grid, [&](int a, int face, int lower, int upper)
+    {
+        const int u = elements_.velocity(a, face);
+        const double area = grid.volume()/grid.d()[a];
+        for (const int cell : {lower, upper})
+        {
+            const int p = cell < 0 ? -1 : elements_.pressure(cell);
+            const double out =
+                (cell == lower ? area : -area)
+               *(p < 0 ? 0 : elements_.alpha(cell));
+            if (p >= 0 && u >= 0)
+            {
+                entries.emplace_back(p, u, out);
+            }
+            else if (p >= 0)
+            {
+                system_.g[p] += out*grid.wallVelocity(a, face, a);
+            }
+            if (cell >= 0 && u >= 0)
+            {
+                volume_[u] += 0.5*elements_.alpha(cell)*grid.volume();
+            }
+        }
+    });
+    system_.B.resize(elements_.nPressures(), elements_.nVelocities());
+    system_.B.setFromTriplets(entries.begin(), entries.end());
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::melt::stokesSystem::stokesSystem(const strainElements& elements)
+:
+    elements_(elements),
+    u_(saddleSolver::vector::Zero(elements.nVelocities())),
+    p_(saddleSolver::vector::Zero(elements.nPressures()))
+{
+    setDivergence();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::melt::stokesSystem::setInertia
+(
+    const double rho,
+    const double dt,
+    const faceVelocities& U,
+    const faceVelocities& acceleration,
+    const std::vector<double>& sink
+)
+{
+    const staggeredGrid& grid = elements_.grid();
+    system_.M = volume_*(rho/dt);
+    drag_ = system_.M;
+    force_.setZero(elements_.nVelocities());
+    forAllFaces(grid, [&](int a, int face, int lower, int upper)
+    {
+        const int u = elements_.velocity(a, face);
+        if (u >= 0)
+        {
+            force_[u] =
+                rho*volume_[u]*(U[a][face]/dt + acceleration[a][face]);
+            u_[u] = U[a][face];
+            for (const int cell : {lower, upper})
+            {
+                if (cell >= 0 && !sink.empty())
+                {
+                    drag_[u] +=
+                        0.5*elements_.alpha(cell)*grid.volume()*sink[cell];
+                }
+            }
+        }
+    });
+}
+
+
+void Foam::melt::stokesSystem::setPressure(const std::vector<double>& p)
+{
+    for (int cell = 0; cell < elements_.grid().nCells(); ++cell)
+    {
+        if (elements_.pressure(cell) >= 0)
+        {
+            p_[elements_.pressure(cell)] = p[cell];
+        }
+    }
+}
+
+
+bool Foam::melt::stokesSystem::solve
+(
+    const std::vector<double>& eta,
+    saddleSolver& solver
+)
+{
+    system_.f = force_;
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(drag_.size() + 12*elements_.elements().size());
+    for (Eigen::Index i = 0; i < drag_.size(); ++i)
+    {
+        entries.emplace_back(i, i, drag_[i]);
+    }
+    for (const strainElements::element& e : elements_.elements())
+    {
+        const double k =
+            (e.shear ? 1 : 2)*e.weight*strainElements::harmonic(e, eta);
+        for (int i = 0; i < e.n; ++i)
+        {
+            for (int j = 0; j < e.n; ++j)
+            {
+                entries.emplace_back
+                (
+                    e.unknown[i], e.unknown[j], k*e.coeff[i]*e.coeff[j]
+                );
+            }
+            system_.f[e.unknown[i]] -= k*e.coeff[i]*e.constant;
+        }
+    }
+    system_.A.resize(drag_.size(), drag_.size());
+    system_.A.setFromTriplets(entries.begin(), entries.end());
+
+    system_.C.resize(p_.size());
+    for (int cell = 0; cell < elements_.grid().nCells(); ++cell)
+    {
+        const int p = elements_.pressure(cell);
+        if (p >= 0)
+        {
+            system_.C[p] =
+                elements_.alpha(cell)*elements_.grid().volume()/eta[cell];
+        }
+    }
+    return u_.size() == 0 || solver.solve(system_, u_, p_);
+}
+
+
+void Foam::melt::stokesSystem::get
+(
+    faceVelocities& U,
+    std::vector<double>& p
+) const
+{
+    const staggeredGrid& grid = elements_.grid();
+    forAllFaces(grid, [&](int a, int face, int, int)
+    {
+        const int u = elements_.velocity(a, face);
+        const auto condition = grid.at(a, face);
+        if (u >= 0)
+        {
+            U[a][face] = u_[u];
+        }
+        else if
+        (
+            condition == staggeredGrid::condition::noSlip
+         || condition == staggeredGrid::condition::slip
+        )
+        {
+            U[a][face] = grid.wallVelocity(a, face, a);
+        }
+    });
+    for (int cell = 0; cell < grid.nCells(); ++cell)
+    {
+        const int i = elements_.pressure(cell);
+        p[cell] = i < 0 ? 0 : p_[i];
+    }
+}
+
+
+double Foam::melt::stokesSystem::maxDivergence() const
+{
+    double greatest = 0;
+    const saddleSolver::vector div(system_.B*u_ + system_.g);
+    for (int cell = 0; cell < elements_.grid().nCells(); ++cell)
+    {
+        const int p = elements_.pressure(cell);
+        if (p >= 0)
+        {
+            const double weight =
+                elements_.alpha(cell)*elements_.grid().volume();
+            greatest = std::max(greatest, std::abs(div[p])/weight);
+        }
+    }
+    return greatest;
+}
+
+// ************************************************************************* //
