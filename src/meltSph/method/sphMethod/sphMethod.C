@@ -9,11 +9,13 @@
 #include "apparentViscosity.H"
 #include "checkedEntry.H"
 #include "dimensionSets.H"
+#include "divergence.H"
 #include "fvMesh.H"
 #include "Time.H"
 #include "wallParticleGenerator.H"
 
 #include <limits>
+#include <stdexcept>
 
 namespace Foam
 {
@@ -332,7 +334,14 @@ void Foam::melt::sphMethod::advance(const scalar deltaT)
 {
     const std::uint64_t nBuilds = system_.near.nBuilds();
 
-    scheme_->advance(deltaT);
+    try
+    {
+        scheme_->advance(deltaT);
+    }
+    catch (const std::runtime_error& e)
+    {
+        endDivergedRun(system_.fluid, mesh_.time().value(), e.what());
+    }
 
     if (system_.near.nBuilds() != nBuilds)
     {
@@ -352,7 +361,14 @@ void Foam::melt::sphMethod::write()
     const enthalpyCurve curve = scene_.thermo().enthalpy();
 
     // Lists are made anew, as a restart makes them, so that both go on alike
-    system_.near.build(f, system_.walls);
+    try
+    {
+        system_.near.build(f, system_.walls);
+    }
+    catch (const std::runtime_error& e)
+    {
+        endDivergedRun(f, mesh_.time().value(), e.what());
+    }
 
     for (int i = 0; i < f.size(); ++i)
     {
