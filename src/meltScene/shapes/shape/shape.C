@@ -6,6 +6,8 @@
 
 #include "shape.H"
 
+#include <cmath>
+
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 namespace Foam
@@ -23,8 +25,18 @@ namespace melt
 Foam::melt::shape::shape(const word& name, const dictionary& dict)
 :
     name_(name),
-    transformation_(dict)
-{}
+    transformation_(dict),
+    U_(dict.lookupOrDefault<vector>("U", Zero)),
+    omega_(dict.lookupOrDefault<vector>("omega", Zero))
+{
+    if (!std::isfinite(mag(U_)) || !std::isfinite(mag(omega_)))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'U' of shape " << name << " is " << U_
+            << " m/s, 'omega' is " << omega_ << " rad/s; accepted are finite"
+            << " numbers" << exit(FatalIOError);
+    }
+}
 
 
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
@@ -96,6 +108,12 @@ Foam::boundBox Foam::melt::shape::bounds() const
 Foam::scalar Foam::melt::shape::volume() const
 {
     return transformation_.volumeRatio()*ownVolume();
+}
+
+
+Foam::vectorField Foam::melt::shape::velocity(const pointField& points) const
+{
+    return U_ + (omega_ ^ (points - bounds().midpoint()));
 }
 
 

@@ -11,6 +11,7 @@
 #include "dimensionSets.H"
 #include "divergence.H"
 #include "fvMesh.H"
+#include "shape.H"
 #include "Time.H"
 #include "wallParticleGenerator.H"
 
@@ -189,12 +190,16 @@ void Foam::melt::sphMethod::fill()
     {
         const pointField& points = scene_.points(shapei);
         const scalarField& T = scene_.T(shapei);
+        const vectorField U(scene_.shapes()[shapei].velocity(points));
 
         forAll(points, pointi)
         {
             f.x[i] = points[pointi].x();
             f.y[i] = points[pointi].y();
             f.z[i] = points[pointi].z();
+            f.u[i] = U[pointi].x();
+            f.v[i] = U[pointi].y();
+            f.w[i] = U[pointi].z();
             f.rho[i] = thermo.rho();
             f.m[i] = thermo.rho()*scene_.pointVolume(shapei);
             f.T[i] = T[pointi];

@@ -162,4 +162,23 @@ TEST(Shape, refusesBadInputAndNamesTheEntry)
 }
 
 
+TEST(Shape, motionAtTheStart)
+{
+    const autoPtr<shape> body
+    (
+        shapeOf(box + "translate (1 0 0); U (1 2 3); omega (0 0 4);")
+    );
+
+    // Centre of the bounds: (1 1.5 4)
+    const vectorField U
+    (
+        body->velocity(pointField({point(1, 1.5, 4), point(2, 1.5, 0)}))
+    );
+    EXPECT_EQ(U[0], vector(1, 2, 3));
+    EXPECT_EQ(U[1], vector(1, 6, 3));
+
+    EXPECT_EQ(shapeOf(box)->velocity(pointField(1, point::zero))[0], vector::zero);
+    expectMessage(box + "U (0 nan 0);", "U");
+}
+
 // ************************************************************************* //
