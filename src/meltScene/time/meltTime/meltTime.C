@@ -160,6 +160,9 @@ Foam::scalar Foam::melt::meltTime::advance(const scalar maxDeltaT)
 void Foam::melt::meltTime::writeChecked(const std::function<void()>& prepare)
 {
     const bool existed = isDir(timePath());
+
+    // The user's own files in time 0 may end as they like
+    const scalar before = writtenFiles::newest(timePath());
     fileName incomplete;
 
     // A stream that fails ends the program, if it is not caught
@@ -171,7 +174,7 @@ void Foam::melt::meltTime::writeChecked(const std::function<void()>& prepare)
 
         incomplete =
             writeNow()
-          ? writtenFiles::firstIncomplete(timePath())
+          ? writtenFiles::firstIncomplete(timePath(), before)
           : timePath();
     }
     catch (const IOerror& err)

@@ -43,14 +43,38 @@ bool Foam::melt::writtenFiles::complete(const fileName& file)
 }
 
 
+Foam::scalar Foam::melt::writtenFiles::newest(const fileName& directory)
+{
+    scalar last = -1;
+
+    for (const fileName& name : readDir(directory, fileName::FILE, false))
+    {
+        last = max(last, highResLastModified(directory/name));
+    }
+
+    for (const fileName& name : readDir(directory, fileName::DIRECTORY))
+    {
+        last = max(last, newest(directory/name));
+    }
+
+    return last;
+}
+
+
 Foam::fileName Foam::melt::writtenFiles::firstIncomplete
 (
-    const fileName& directory
+    const fileName& directory,
+    const scalar after
 )
 {
-    for (const fileName& name : readDir(directory, fileName::FILE))
+    // Names with .gz
+    for (const fileName& name : readDir(directory, fileName::FILE, false))
     {
-        if (!complete(directory/name) && !complete(directory/name + ".gz"))
+        if
+        (
+            highResLastModified(directory/name) > after
+         && !complete(directory/name)
+        )
         {
             return directory/name;
         }
@@ -58,7 +82,7 @@ Foam::fileName Foam::melt::writtenFiles::firstIncomplete
 
     for (const fileName& name : readDir(directory, fileName::DIRECTORY))
     {
-        const fileName found(firstIncomplete(directory/name));
+        const fileName found(firstIncomplete(directory/name, after));
 
         if (!found.empty())
         {

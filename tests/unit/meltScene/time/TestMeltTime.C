@@ -176,6 +176,29 @@ TEST(MeltTime, failedWriteLeavesNoTime)
 }
 
 
+// An editor may leave out the divider at the end of 0/T
+TEST(MeltTime, filesThatWereThereBeforeMayEndAsTheyLike)
+{
+    const fileName directory
+    (
+        caseWith("deltaT 1; writeControl runTime; writeInterval 1; endTime 2;")
+    );
+    mkDir(directory/"0");
+    OFstream(directory/"0"/"T")() << "/*-----*/ dimensions [];";
+
+    meltTime time(directory);
+    EXPECT_NO_THROW(time.writeChecked([]() {}));
+
+    const auto cut = [&]()
+    {
+        OFstream(directory/"0"/"U")() << "/*-----*/ dimensions";
+    };
+    EXPECT_THROW(time.writeChecked(cut), error);
+    EXPECT_TRUE(isFile(directory/"0"/"T"));
+    rmDir(directory);
+}
+
+
 TEST(MeltTime, takesAStepEvenIfDeltaTIsBeyondEndTime)
 {
     const fileName directory
