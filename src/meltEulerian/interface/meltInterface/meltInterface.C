@@ -1,0 +1,298 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "meltInterface.H"
+#include "quietLog.H"
+#include "Time.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::melt;
+
+//- Conditions of the patches: closed for a wall, else what an open one has
+wordList conditions
+(
+    const eulerianMesh& mesh,
+    const word& onWalls,
+    const word& onOpen
+)
+{
+    const polyBoundaryMesh& patches = mesh.mesh().boundaryMesh();
+    wordList types(patches.size());
+    forAll(patches, patchi)
+    {
+        types[patchi] =
+            polyPatch::constraintType(patches[patchi].type())
+          ? patches[patchi].type()
+          : mesh.wall(patchi).isWall() ? onWalls : onOpen;
+    }
+    return types;
+}
+
+
+//- isoAdvection's step is that of Time
+class subStep
+{
+    Time& time_;
+
+    const scalar deltaT_;
+
+public:
+
+    subStep(const Time& time, const scalar deltaT)
+    :
+        time_(const_cast<Time&>(time)),
+        deltaT_(time.deltaTValue())
+    {
+        time_.setDeltaT(deltaT, false);
+    }
+
+    ~subStep()
+    {
+        time_.setDeltaT(deltaT_, false);
+    }
+};
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::melt::meltInterface::setVelocities(const faceVelocities& U)
+{
+    const fvMesh& mesh = mesh_.mesh();
+    const auto flux = [&](const label facei)
+    {
+        const eulerianMesh::gridFace& g = mesh_.onGrid(facei);
+        return
+            g.sign*U[g.direction][g.face]
+           *mesh_.grid().volume()/mesh_.grid().d()[g.direction];
+    };
+    forAll(phi_, facei)
+    {
+        phi_[facei] = flux(facei);
+    }
+    forAll(phi_.boundaryField(), patchi)
+    {
+        fvsPatchScalarField& phi = phi_.boundaryFieldRef()[patchi];
+        forAll(phi, i)
+        {
+            phi[i] = flux(mesh.boundaryMesh()[patchi].start() + i);
+        }
+    }
+    setCellVelocities(U);
+}
+
+
+void Foam::melt::meltInterface::moveEnthalpy
+(
+    const scalar deltaT,
+    scalarField& alphaH
+)
+{
+    const fvMesh& mesh = mesh_.mesh();
+    const tmp<surfaceScalarField> volume
+    (
+        advection_.getRhoPhi
+        (
+            dimensionedScalar("rho", dimDensity, 1),
+            dimensionedScalar("rho", dimDensity, 0)
+        )
+    );
+
+    // alpha is already that of the end
+    const scalarField& V = mesh.V();
+    scalarField alphaStart(alpha_.primitiveField());
+    const auto forAllFluxes = [&](const auto& action)
+    {
+        forAll(mesh.neighbour(), facei)
+        {
+            action
+            (
+                mesh.owner()[facei],
+                mesh.neighbour()[facei],
+                volume()[facei]*deltaT
+            );
+        }
+        forAll(volume().boundaryField(), patchi)
+        {
+            const fvsPatchScalarField& patch = volume().boundaryField()[patchi];
+            forAll(patch, i)
+            {
+                action(mesh.boundary()[patchi].faceCells()[i], -1, patch[i]*deltaT);
+            }
+        }
+    };
+    forAllFluxes([&](const label own, const label nei, const scalar dV)
+    {
+        alphaStart[own] += dV/V[own];
+        if (nei >= 0)
+        {
+            alphaStart[nei] -= dV/V[nei];
+        }
+    });
+
+    scalarField h(alphaH);
+    forAll(h, celli)
+    {
+        h[celli] = alphaStart[celli] > VSMALL ? h[celli]/alphaStart[celli] : 0;
+    }
+    forAllFluxes([&](const label own, const label nei, const scalar dV)
+    {
+        const scalar carried = dV*(dV > 0 || nei < 0 ? h[own] : h[nei]);
+        alphaH[own] -= carried/V[own];
+        if (nei >= 0)
+        {
+            alphaH[nei] += carried/V[nei];
+        }
+        else
+        {
+            lostVolume_ += dV;
+            lostEnthalpy_ += carried;
+        }
+    });
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::melt::meltInterface::meltInterface(eulerianMesh& mesh)
+:
+    mesh_(mesh),
+    alpha_
+    (
+        IOobject
+        (
+            "alpha.melt",
+            mesh.mesh().time().timeName(),
+            mesh.mesh(),
+            IOobject::NO_READ,
+            IOobject::AUTO_WRITE
+        ),
+        mesh.mesh(),
+        dimensionedScalar(dimless, Zero),
+        conditions(mesh, "zeroGradient", "inletOutlet")
+    ),
+    phi_
+    (
+        IOobject("phi", mesh.mesh().time().timeName(), mesh.mesh()),
+        mesh.mesh(),
+        dimensionedScalar(dimVolume/dimTime, Zero)
+    ),
+    U_
+    (
+        IOobject
+        (
+            "U",
+            mesh.mesh().time().timeName(),
+            mesh.mesh(),
+            IOobject::NO_READ,
+            IOobject::AUTO_WRITE
+        ),
+        mesh.mesh(),
+        dimensionedVector(dimVelocity, Zero),
+        conditions(mesh, "fixedValue", "zeroGradient")
+    ),
+    advection_(alpha_, phi_, U_)
+{
+    forAll(U_.boundaryField(), patchi)
+    {
+        const wallCondition& w = mesh_.wall(patchi);
+        fvPatchVectorField& U = U_.boundaryFieldRef()[patchi];
+        if (w.isWall() && U.fixesValue())
+        {
+            forAll(U, i)
+            {
+                U[i] = w.U[mesh_.domainFace(patchi, i)];
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::melt::meltInterface::Courant
+(
+    const faceVelocities& U,
+    const scalar deltaT
+) const
+{
+    const fvMesh& mesh = mesh_.mesh();
+    scalar greatest = 0;
+    forAll(mesh.neighbour(), facei)
+    {
+        if
+        (
+            alpha_[mesh.owner()[facei]] > 0
+         || alpha_[mesh.neighbour()[facei]] > 0
+        )
+        {
+            const eulerianMesh::gridFace& g = mesh_.onGrid(facei);
+            greatest = max
+            (
+                greatest,
+                mag(U[g.direction][g.face])/mesh_.grid().d()[g.direction]
+            );
+        }
+    }
+    return greatest*deltaT;
+}
+
+
+Foam::label Foam::melt::meltInterface::advance
+(
+    const faceVelocities& U,
+    const scalar deltaT,
+    const scalar maxCourant,
+    scalarField& alphaH
+)
+{
+    setVelocities(U);
+    const label n =
+        max(label(1), label(std::ceil(Courant(U, deltaT)/maxCourant)));
+    const subStep step(mesh_.mesh().time(), deltaT/n);
+    const quietLog quiet;
+    for (label i = 0; i < n; ++i)
+    {
+        advection_.advect();
+        moveEnthalpy(deltaT/n, alphaH);
+        bound(alphaH);
+    }
+    return n;
+}
+
+
+void Foam::melt::meltInterface::setCellVelocities(const faceVelocities& U)
+{
+    const staggeredGrid& grid = mesh_.grid();
+    forAll(U_, celli)
+    {
+        const label cell = mesh_.gridCell(celli);
+        const staggeredGrid::triple& n = grid.n();
+        const staggeredGrid::triple c
+        {
+            cell % n[0], (cell/n[0]) % n[1], cell/(n[0]*n[1])
+        };
+        for (direction a = 0; a < 3; ++a)
+        {
+            staggeredGrid::triple next(c);
+            ++next[a];
+            U_[celli][a] =
+                grid.solved(a)
+              ? 0.5*(U[a][grid.face(a, c)] + U[a][grid.face(a, next)]) : 0;
+        }
+    }
+    U_.correctBoundaryConditions();
+}
+
+// ************************************************************************* //

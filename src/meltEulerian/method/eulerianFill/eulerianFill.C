@@ -1,0 +1,139 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "eulerianFill.H"
+#include "initialTemperature.H"
+#include "shape.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::melt;
+
+// Points along an edge of a cell at the surface
+const label perEdge = 6;
+
+//- Share of each cell that is inside a shape
+scalarField shares(const shape& body, const eulerianMesh& mesh)
+{
+    const fvMesh& fv = mesh.mesh();
+    const pointField& centres = fv.cellCentres();
+    const std::array<double, 3>& d = mesh.grid().d();
+    boundBox bounds(body.bounds());
+    bounds.inflate(SMALL);
+
+    // Centres decide for cells far from the surface: all of 27 points that are
+    // a cell apart are the same
+    const boolList inside(body.inside(centres));
+    scalarField share(centres.size());
+    labelList mixed;
+    forAll(share, celli)
+    {
+        share[celli] = inside[celli];
+        const vector half(0.5*d[0], 0.5*d[1], 0.5*d[2]);
+        if (!bounds.overlaps(boundBox(centres[celli] - half, centres[celli] + half)))
+        {
+            continue;
+        }
+        bool same = true;
+        const label cell = mesh.gridCell(celli);
+        const staggeredGrid::triple& n = mesh.grid().n();
+        for (label i = 0; i < 27 && same; ++i)
+        {
+            const staggeredGrid::triple c
+            {
+                cell % n[0] + int(i % 3) - 1,
+                (cell/n[0]) % n[1] + int(i/3 % 3) - 1,
+                cell/(n[0]*n[1]) + int(i/9) - 1
+            };
+            const label other =
+                mesh.grid().inside(c) ? mesh.meshCell(mesh.grid().cell(c)) : -1;
+            same = other < 0 || inside[other] == inside[celli];
+        }
+        // A cell at the border of the box of the shape is cut, too
+        const bool within =
+            bounds.contains(centres[celli] - half)
+         && bounds.contains(centres[celli] + half);
+        if (!same || !within)
+        {
+            mixed.append(celli);
+        }
+    }
+
+    staggeredGrid::triple m;
+    for (int a = 0; a < 3; ++a)
+    {
+        m[a] = mesh.grid().solved(a) ? perEdge : 1;
+    }
+    const label perCell = m[0]*m[1]*m[2];
+    pointField points(mixed.size()*perCell);
+    forAll(points, i)
+    {
+        const label j = i % perCell;
+        const label index[3] = {j % m[0], (j/m[0]) % m[1], j/(m[0]*m[1])};
+        points[i] = centres[mixed[i/perCell]];
+        for (direction a = 0; a < 3; ++a)
+        {
+            points[i][a] += d[a]*((index[a] + 0.5)/m[a] - 0.5);
+        }
+    }
+    const boolList in(body.inside(points));
+    UIndirectList<scalar>(share, mixed) = 0;
+    forAll(in, i)
+    {
+        share[mixed[i/perCell]] += scalar(in[i])/perCell;
+    }
+    return share;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::melt::eulerianFill::fill
+(
+    const meltScene& scene,
+    const eulerianMesh& mesh,
+    scalarField& alpha,
+    scalarField& alphaH
+)
+{
+    const dictionary& shapes = scene.dict().subDict("shapes");
+    const enthalpyCurve& curve = scene.thermo().enthalpy();
+    alpha = 0;
+    alphaH = 0;
+    for (const shape& body : scene.shapes())
+    {
+        const autoPtr<initialTemperature> T
+        (
+            initialTemperature::New
+            (
+                shapes.subDict(body.name()).subDict("T"), body
+            )
+        );
+        const scalarField share(shares(body, mesh));
+        const scalarField values(T->value(mesh.mesh().cellCentres()));
+        forAll(share, celli)
+        {
+            const scalar part = min(share[celli], 1 - alpha[celli]);
+            alpha[celli] += part;
+            alphaH[celli] += part*curve.h(values[celli]);
+        }
+    }
+    if (gSum(alpha) <= 0)
+    {
+        FatalIOErrorInFunction(shapes)
+            << "The mesh is empty: no shape fills a cell of "
+            << scene.resolution() << " m." << nl
+            << "Accepted: a shape thicker than that" << exit(FatalIOError);
+    }
+}
+
+// ************************************************************************* //

@@ -1,0 +1,157 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "eulerianMethod.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::melt::eulerianMethod::mass() const
+{
+    return
+        scene_.thermo().rho()
+       *sum(interface_.alpha().primitiveField()*region_.mesh().V());
+}
+
+
+Foam::scalar Foam::melt::eulerianMethod::enthalpy() const
+{
+    return scene_.thermo().rho()*sum(alphaH_*region_.mesh().V());
+}
+
+
+Foam::point Foam::melt::eulerianMethod::centreOfMass() const
+{
+    const fvMesh& mesh = region_.mesh();
+    const scalarField volume(interface_.alpha().primitiveField()*mesh.V());
+    return
+        sum(volume*mesh.C().primitiveField())/max(sum(volume), VSMALL);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::melt::meltDiagnostics Foam::melt::eulerianMethod::diagnostics() const
+{
+    const fvMesh& mesh = region_.mesh();
+    const staggeredGrid& grid = region_.grid();
+    const scalarField& alpha = interface_.alpha();
+    const scalar rho = scene_.thermo().rho();
+    const vector& g = scene_.g();
+    const vector up(mag(g) > 0 ? vector(-g/mag(g)) : vector(0, 0, 1));
+
+    meltDiagnostics d;
+    d.mass = mass();
+    d.volume = d.mass/rho;
+    d.centreOfMass = centreOfMass();
+    d.thermalEnergy = enthalpy();
+    d.potentialEnergy = -d.mass*(g & d.centreOfMass);
+    d.workOfGravity = initialPotentialEnergy_ - d.potentialEnergy;
+    d.heatIn = heatIn_;
+    d.heatOut = heatOut_;
+
+    // A cell reaches as far as it is filled, from the side of more melt
+    const scalar seen = flow_.wetFrom();
+    scalar liquid = 0;
+    d.minT = GREAT;
+    d.maxT = -GREAT;
+    boundBox bounds(boundBox::invertedBox);
+    forAll(alpha, celli)
+    {
+        if (alpha[celli] < seen)
+        {
+            continue;
+        }
+        const scalar mass = rho*alpha[celli]*mesh.V()[celli];
+        liquid += mass*liquidFraction(celli);
+        d.kineticEnergy += 0.5*mass*magSqr(interface_.U()[celli]);
+        d.maxU = max(d.maxU, mag(interface_.U()[celli]));
+        d.minT = min(d.minT, energy_.T()[celli]);
+        d.maxT = max(d.maxT, energy_.T()[celli]);
+
+        const label cell = region_.gridCell(celli);
+        const staggeredGrid::triple& n = grid.n();
+        const staggeredGrid::triple c
+        {
+            cell % n[0], (cell/n[0]) % n[1], cell/(n[0]*n[1])
+        };
+        point low(mesh.C()[celli]), high(low);
+        for (direction a = 0; a < 3; ++a)
+        {
+            const scalar half = 0.5*grid.d()[a];
+            const auto beside = [&](const int step)
+            {
+                staggeredGrid::triple to(c);
+                to[a] += step;
+                const label other =
+                    grid.inside(to) ? region_.meshCell(grid.cell(to)) : -1;
+                return other < 0 ? alpha[celli] : alpha[other];
+            };
+            const scalar below = beside(-1), above = beside(1);
+            const scalar part = 2*half*(1 - min(alpha[celli], scalar(1)));
+            low[a] -= half - (above > below ? part : 0);
+            high[a] += half - (below > above ? part : 0);
+        }
+        bounds.add(low);
+        bounds.add(high);
+        for (label i = 0; i < 8; ++i)
+        {
+            const vector to
+            (
+                point
+                (
+                    i & 1 ? high.x() : low.x(),
+                    i & 2 ? high.y() : low.y(),
+                    i & 4 ? high.z() : low.z()
+                )
+              - initialCentre_
+            );
+            d.frontRadius =
+                max(d.frontRadius, mag(to - (to & up)*up));
+        }
+    }
+    if (d.mass > 0)
+    {
+        d.meltedFraction = liquid/d.mass;
+    }
+    if (bounds.valid())
+    {
+        d.bounds = bounds;
+        d.height =
+            cmptMag(up) & bounds.span();
+    }
+    else
+    {
+        d.minT = d.maxT = 0;
+    }
+    return d;
+}
+
+
+void Foam::melt::eulerianMethod::report(Ostream& os) const
+{
+    const scalar rho = scene_.thermo().rho();
+    const scalar massError =
+        mass() + rho*interface_.lostVolume() - initialMass_;
+    const scalar energyError =
+        enthalpy() + rho*interface_.lostEnthalpy() - heatIn_ + heatOut_
+      - initialEnthalpy_;
+    os  << "Momentum: " << flowRecord_.method.c_str() << ", sweeps "
+        << flowRecord_.sweeps << ", change of U " << flowRecord_.change
+        << ", iterations " << label(flowRecord_.iterations)
+        << ", max |div U| " << flowRecord_.maxDivergence << " 1/s" << nl
+        << "Interface: steps " << interfaceSteps_ << ", alpha "
+        << min(interface_.alpha().primitiveField()) << " .. 1 + "
+        << max(interface_.alpha().primitiveField()) - 1
+        << ", given to neighbours " << interface_.redistributed() << " m3" << nl
+        << "Energy: iterations " << energyRecord_.iterations << nl
+        << "     mass error " << massError << " kg, energy error "
+        << energyError << " J, escaped " << rho*interface_.lostVolume()
+        << " kg" << nl;
+}
+
+// ************************************************************************* //

@@ -1,0 +1,123 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "eulerianMethod.H"
+#include "IOField.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::IOobject Foam::melt::eulerianMethod::stateIO
+(
+    const IOobject::readOption r
+) const
+{
+    return IOobject
+    (
+        "state",
+        mesh_.time().timeName(),
+        region_.mesh(),
+        r,
+        IOobject::NO_WRITE,
+        false
+    );
+}
+
+
+void Foam::melt::eulerianMethod::writeState() const
+{
+    DynamicList<scalar> list;
+    const auto append = [&](const auto& values)
+    {
+        for (const scalar value : values)
+        {
+            list.append(value);
+        }
+    };
+
+    list.append(region_.mesh().nCells());
+    append(interface_.alpha().primitiveField());
+    append(alphaH_);
+    for (const std::vector<double>& U : flow_.U())
+    {
+        append(U);
+    }
+    append(flow_.p());
+    append
+    (
+        scalarList
+        ({
+            lastDeltaT_, initialCentre_.x(), initialCentre_.y(),
+            initialCentre_.z(), initialPotentialEnergy_, initialMass_,
+            initialEnthalpy_, heatIn_, heatOut_, interface_.lostVolume(),
+            interface_.lostEnthalpy()
+        })
+    );
+
+    IOField<scalar>
+    (
+        stateIO(IOobject::NO_READ), scalarField(list)
+    ).writeObject
+    (
+        IOstream::BINARY,
+        IOstream::currentVersion,
+        IOstream::UNCOMPRESSED,
+        true
+    );
+}
+
+
+void Foam::melt::eulerianMethod::readState()
+{
+    const IOField<scalar> list(stateIO(IOobject::MUST_READ));
+    const label nCells = region_.mesh().nCells();
+    label size = 1 + 2*nCells + region_.grid().nCells() + 11;
+    for (int a = 0; a < 3; ++a)
+    {
+        size += region_.grid().nFaces(a);
+    }
+    if (list.size() != size || label(list[0]) != nCells)
+    {
+        FatalErrorInFunction
+            << "The state in " << list.objectPath() << " is not that of the"
+            << " mesh: domain or resolution have changed. Accepted: a restart"
+            << " with those of the start" << exit(FatalError);
+    }
+
+    label i = 1;
+    const auto take = [&](auto& values)
+    {
+        for (auto& value : values)
+        {
+            value = list[i++];
+        }
+    };
+    take(interface_.alpha().primitiveFieldRef());
+    interface_.alpha().correctBoundaryConditions();
+    take(alphaH_);
+    faceVelocities U(flow_.U());
+    for (std::vector<double>& component : U)
+    {
+        take(component);
+    }
+    std::vector<double> p(flow_.p());
+    take(p);
+    flow_.set(U, p);
+    lastDeltaT_ = list[i++];
+    for (direction k = 0; k < 3; ++k)
+    {
+        initialCentre_[k] = list[i++];
+    }
+    initialPotentialEnergy_ = list[i++];
+    initialMass_ = list[i++];
+    initialEnthalpy_ = list[i++];
+    heatIn_ = list[i++];
+    heatOut_ = list[i++];
+    interface_.lostVolume() = list[i++];
+    interface_.lostEnthalpy() = list[i++];
+}
+
+// ************************************************************************* //

@@ -1,0 +1,107 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "meltFlow.H"
+#include "faceAdvection.H"
+#include "faceExtrapolation.H"
+#include "stokesSystem.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+// Faster than half a cell a step nothing moves into the air
+const int nLayers = 3;
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::melt::meltFlow::meltFlow(const staggeredGrid& grid, const controls& c)
+:
+    grid_(grid),
+    controls_(c),
+    p_(grid.nCells(), 0)
+{
+    for (int a = 0; a < 3; ++a)
+    {
+        U_[a].assign(grid.nFaces(a), 0);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::melt::meltFlow::record Foam::melt::meltFlow::advance
+(
+    const std::vector<double>& alpha,
+    const double rho,
+    const double dt,
+    const faceVelocities& acceleration,
+    const std::vector<double>& sink,
+    const viscosity& viscosityOf,
+    const bool shearRateDependent
+)
+{
+    const strainElements elements(grid_, alpha, controls_.wetFrom);
+    stokesSystem system(elements);
+    system.setInertia
+    (
+        rho,
+        dt,
+        faceAdvection::advected(elements, U_, dt),
+        acceleration,
+        sink
+    );
+    system.setPressure(p_);
+    saddleSolver solver(controls_.solver);
+
+    record r;
+    saddleSolver::vector u(system.u());
+    for (int a = 0; a < 3; ++a)
+    {
+        for (int face = 0; face < grid_.nFaces(a); ++face)
+        {
+            if (elements.velocity(a, face) >= 0)
+            {
+                u[elements.velocity(a, face)] = U_[a][face];
+            }
+        }
+    }
+
+    std::vector<double> eta(grid_.nCells());
+    do
+    {
+        viscosityOf(elements.shearRate(u.data()), eta);
+        r.solved = system.solve(eta, solver);
+        r.residuals = solver.history();
+        r.method = solver.method();
+        r.iterations += long(r.residuals.size());
+        if (!r.solved)
+        {
+            return r;
+        }
+        const double norm = system.u().norm();
+        r.change = norm > 0 ? (system.u() - u).norm()/norm : 0;
+        u = system.u();
+        ++r.sweeps;
+    }
+    while
+    (
+        shearRateDependent
+     && r.change > controls_.viscosityTolerance
+     && r.sweeps < controls_.maxSweeps
+    );
+
+    system.get(U_, p_);
+    faceExtrapolation::extrapolate(elements, nLayers, U_);
+    r.maxDivergence = system.maxDivergence();
+    return r;
+}
+
+// ************************************************************************* //
