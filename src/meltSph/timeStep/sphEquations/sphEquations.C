@@ -17,7 +17,8 @@ Foam::melt::sphEquations::sphEquations
 )
 :
     system_(system),
-    control_(dict.subDict("timeStep"))
+    control_(dict.subDict("timeStep")),
+    solver_(dict.subOrEmptyDict("implicit"))
 {
     const auto add = [&](const word& role)
     {
@@ -35,6 +36,14 @@ Foam::melt::sphEquations::sphEquations
         if (effects(role) && dict.found(role))
         {
             add(role);
+        }
+    }
+
+    for (rateTerm& term : terms_)
+    {
+        if (implicitOperator* force = term.implicitForce())
+        {
+            solver_.add(*force);
         }
     }
 }
@@ -83,33 +92,17 @@ void Foam::melt::sphEquations::evaluate()
 }
 
 
-bool Foam::melt::sphEquations::implicit() const
+void Foam::melt::sphEquations::setDensityRate()
 {
-    for (const rateTerm& term : terms_)
-    {
-        if (term.implicit())
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-
-bool Foam::melt::sphEquations::implicitUpdate
-(
-    const scalar deltaT,
-    const vectorArray& guess
-)
-{
+    bool isSet = false;
     for (rateTerm& term : terms_)
     {
-        if (!term.implicitUpdate(deltaT, guess))
-        {
-            return false;
-        }
+        isSet = term.setDensityRate() || isSet;
     }
-    return true;
+    if (!isSet)
+    {
+        velocityGradient(system_.near, system_.walls, system_.fluid, false);
+    }
 }
 
 
@@ -119,6 +112,7 @@ void Foam::melt::sphEquations::report(Ostream& os) const
     {
         term.report(os);
     }
+    solver_.report(os);
 }
 
 

@@ -30,6 +30,14 @@ Foam::melt::timeStepControl::timeStepControl(const dictionary& dict)
             )
         );
     }
+    coefficients_.insert
+    (
+        "advective",
+        checkedEntry::getOrDefault
+        (
+            dict, "advective", dimless, checkedEntry::positive(), 0.4
+        )
+    );
     reset();
 }
 

@@ -38,24 +38,23 @@ Foam::melt::adjointViscosity::adjointViscosity
             dict, "maxCondition", dimless, checkedEntry::positive()
         )
     ),
-    central_(dict, system)
+    central_(system, centralShare_)
 {}
 
 
-void Foam::melt::adjointViscosity::update()
+void Foam::melt::adjointViscosity::update(const double deltaT)
 {
     const particles& f = system_.fluid;
     const wallState& walls = system_.walls;
     const int n = f.size();
 
-    central_.update();
+    central_.update(deltaT);
     gradientCorrection(system_, maxCondition_, L_);
 
     for (vectorArray& row : SL_)
     {
         row.resize(n);
     }
-    centralForce_.resize(n);
 
     const bool anyWalls = !system_.near.walls().empty();
     const auto moves = [](const double u) { return u != 0; };
@@ -116,10 +115,10 @@ void Foam::melt::adjointViscosity::update()
 }
 
 
-void Foam::melt::adjointViscosity::force
+void Foam::melt::adjointViscosity::addForce
 (
     const vectorArray& v,
-    const double wallFactor,
+    const double sources,
     vectorArray& force
 )
 {
@@ -128,8 +127,8 @@ void Foam::melt::adjointViscosity::force
         system_.near, system_.walls, system_.fluid,
         stressOfVelocityLaw
         (
-            system_, L_, wallGradient_, wallVelocityGradient_,
-            movingWalls_ ? wallFactor : 0, v, SL_
+            system_, 1 - centralShare_, L_, wallGradient_,
+            wallVelocityGradient_, movingWalls_ ? sources : 0, v, SL_
         )
     );
     pairPass
@@ -140,33 +139,21 @@ void Foam::melt::adjointViscosity::force
 
     if (centralShare_ > 0)
     {
-        central_.force(v, wallFactor, centralForce_);
-        const int n = v.size();
-
-        #pragma omp parallel for simd schedule(static)
-        for (int i = 0; i < n; ++i)
-        {
-            force.x[i] +=
-                centralShare_*(centralForce_.x[i] - force.x[i]);
-            force.y[i] +=
-                centralShare_*(centralForce_.y[i] - force.y[i]);
-            force.z[i] +=
-                centralShare_*(centralForce_.z[i] - force.z[i]);
-        }
+        central_.addForce(v, sources, force);
     }
 }
 
 
-void Foam::melt::adjointViscosity::diagonal(blocks& diagonal) const
+void Foam::melt::adjointViscosity::addDiagonal(blocks& diagonal) const
 {
-    central_.diagonal(diagonal);
+    central_.addDiagonal(diagonal);
 }
 
 
 std::size_t Foam::melt::adjointViscosity::bytes() const
 {
     std::size_t n =
-        central_.bytes() + wallGradient_.bytes() + centralForce_.bytes()
+        central_.bytes() + wallGradient_.bytes()
       + 6*sizeof(double)*L_[0].capacity();
     for (int a = 0; a < 3; ++a)
     {

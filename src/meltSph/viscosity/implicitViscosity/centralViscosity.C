@@ -26,9 +26,9 @@ struct pairCoefficient
     double factor;
     double regularisation;
 
-    explicit pairCoefficient(const smoothingKernel& kernel)
+    pairCoefficient(const smoothingKernel& kernel, const double share)
     :
-        factor(-2*(kernel.dimensions() + 2)),
+        factor(-2*share*(kernel.dimensions() + 2)),
         regularisation(0.01*kernel.h()*kernel.h())
     {}
 
@@ -79,6 +79,7 @@ public:
     blockLaw
     (
         const sphSystem& s,
+        const double share,
         viscousOperator::blocks& blocks,
         vectorArray& wallPull
     )
@@ -87,7 +88,7 @@ public:
         eta_(s.fluid.eta.data()),
         blocks_(&blocks),
         wallPull_(&wallPull),
-        c_(s.near.kernel())
+        c_(s.near.kernel(), share)
     {}
 
     [[gnu::always_inline]] inline void start(const int i)
@@ -155,6 +156,7 @@ public:
     neighbourLaw
     (
         const sphSystem& s,
+        const double share,
         const vectorArray& v,
         vectorArray& out
     )
@@ -165,7 +167,7 @@ public:
         w_(v.z.data()),
         V_(s.fluid.V.data()),
         out_(&out),
-        c_(s.near.kernel())
+        c_(s.near.kernel(), share)
     {}
 
     [[gnu::always_inline]] inline void start(const int i)
@@ -195,9 +197,9 @@ public:
 
     [[gnu::always_inline]] inline void finish(const int i)
     {
-        out_->x[i] = V_[i]*x_;
-        out_->y[i] = V_[i]*y_;
-        out_->z[i] = V_[i]*z_;
+        out_->x[i] += V_[i]*x_;
+        out_->y[i] += V_[i]*y_;
+        out_->z[i] += V_[i]*z_;
     }
 };
 
@@ -212,11 +214,22 @@ Foam::melt::centralViscosity::centralViscosity
     const sphSystem& system
 )
 :
-    viscousOperator(system)
+    centralViscosity(system, 1)
 {}
 
 
-void Foam::melt::centralViscosity::update()
+Foam::melt::centralViscosity::centralViscosity
+(
+    const sphSystem& system,
+    const double share
+)
+:
+    viscousOperator(system),
+    share_(share)
+{}
+
+
+void Foam::melt::centralViscosity::update(const double)
 {
     const int n = system_.fluid.size();
     for (std::vector<double>& component : diagonal_)
@@ -230,15 +243,15 @@ void Foam::melt::centralViscosity::update()
         system_.near,
         system_.walls,
         system_.fluid,
-        blockLaw(system_, diagonal_, wallPull_)
+        blockLaw(system_, share_, diagonal_, wallPull_)
     );
 }
 
 
-void Foam::melt::centralViscosity::force
+void Foam::melt::centralViscosity::addForce
 (
     const vectorArray& v,
-    const double wallFactor,
+    const double sources,
     vectorArray& force
 )
 {
@@ -247,7 +260,7 @@ void Foam::melt::centralViscosity::force
         system_.near,
         system_.walls,
         system_.fluid,
-        neighbourLaw(system_, v, force)
+        neighbourLaw(system_, share_, v, force)
     );
 
     const blocks& b = diagonal_;
@@ -258,18 +271,26 @@ void Foam::melt::centralViscosity::force
     {
         const double x = v.x[i], y = v.y[i], z = v.z[i];
         force.x[i] +=
-            wallFactor*wallPull_.x[i] - b[0][i]*x - b[1][i]*y - b[2][i]*z;
+            sources*wallPull_.x[i] - b[0][i]*x - b[1][i]*y - b[2][i]*z;
         force.y[i] +=
-            wallFactor*wallPull_.y[i] - b[1][i]*x - b[3][i]*y - b[4][i]*z;
+            sources*wallPull_.y[i] - b[1][i]*x - b[3][i]*y - b[4][i]*z;
         force.z[i] +=
-            wallFactor*wallPull_.z[i] - b[2][i]*x - b[4][i]*y - b[5][i]*z;
+            sources*wallPull_.z[i] - b[2][i]*x - b[4][i]*y - b[5][i]*z;
     }
 }
 
 
-void Foam::melt::centralViscosity::diagonal(blocks& diagonal) const
+void Foam::melt::centralViscosity::addDiagonal(blocks& diagonal) const
 {
-    diagonal = diagonal_;
+    for (int component = 0; component < 6; ++component)
+    {
+        const std::vector<double>& from = diagonal_[component];
+        std::vector<double>& to = diagonal[component];
+        for (std::size_t i = 0; i < from.size(); ++i)
+        {
+            to[i] += from[i];
+        }
+    }
 }
 
 

@@ -1,0 +1,213 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "velocitySolver.H"
+#include "checkedEntry.H"
+#include "dimensionSets.H"
+
+Foam::melt::velocitySolver::velocitySolver(const dictionary& dict)
+:
+    tolerance_
+    (
+        checkedEntry::getOrDefault
+        (
+            dict, "tolerance", dimless, checkedEntry::positive(), 1e-4
+        )
+    ),
+    maxIterations_
+    (
+        dict.getCheckOrDefault<label>
+        (
+            "maxIterations", 1000, labelMinMax::ge(1)
+        )
+    )
+{}
+
+
+void Foam::melt::velocitySolver::addForces
+(
+    const vectorArray& v,
+    const double sources,
+    vectorArray& force
+)
+{
+    force.zero();
+    for (implicitOperator* o : operators_)
+    {
+        o->addForce(v, sources, force);
+    }
+}
+
+
+void Foam::melt::velocitySolver::invertBlocks
+(
+    const particles& f,
+    const scalar deltaT
+)
+{
+    implicitOperator::blocks& b = inverse_;
+    for (std::vector<double>& component : b)
+    {
+        component.assign(f.size(), 0);
+    }
+    for (const implicitOperator* o : operators_)
+    {
+        o->addDiagonal(b);
+    }
+
+    const std::vector<double>& m = f.m;
+    const int n = f.size();
+
+    #pragma omp parallel for schedule(static)
+    for (int i = 0; i < n; ++i)
+    {
+        const double xx = m[i] + deltaT*b[0][i];
+        const double xy = deltaT*b[1][i];
+        const double xz = deltaT*b[2][i];
+        const double yy = m[i] + deltaT*b[3][i];
+        const double yz = deltaT*b[4][i];
+        const double zz = m[i] + deltaT*b[5][i];
+
+        const double cxx = yy*zz - yz*yz;
+        const double cxy = xz*yz - xy*zz;
+        const double cxz = xy*yz - xz*yy;
+        const double scale = 1/(xx*cxx + xy*cxy + xz*cxz);
+
+        b[0][i] = scale*cxx;
+        b[1][i] = scale*cxy;
+        b[2][i] = scale*cxz;
+        b[3][i] = scale*(xx*zz - xz*xz);
+        b[4][i] = scale*(xy*xz - xx*yz);
+        b[5][i] = scale*(xx*yy - xy*xy);
+    }
+}
+
+
+bool Foam::melt::velocitySolver::solve
+(
+    particles& f,
+    const scalar deltaT,
+    const vectorArray& guess
+)
+{
+    const int n = f.size();
+
+    v_ = guess;
+    start_.x = f.u;
+    start_.y = f.v;
+    start_.z = f.w;
+    r_.resize(n);
+
+    for (implicitOperator* o : operators_)
+    {
+        o->update(deltaT);
+    }
+    invertBlocks(f, deltaT);
+
+    // r = M (v* - v) + dt (b - K v)
+    addForces(v_, 1, r_);
+    #pragma omp parallel for simd schedule(static)
+    for (int i = 0; i < n; ++i)
+    {
+        r_.x[i] = f.m[i]*(start_.x[i] - v_.x[i]) + deltaT*r_.x[i];
+        r_.y[i] = f.m[i]*(start_.y[i] - v_.y[i]) + deltaT*r_.y[i];
+        r_.z[i] = f.m[i]*(start_.z[i] - v_.z[i]) + deltaT*r_.z[i];
+    }
+
+    const auto apply = [&](const vectorArray& p, vectorArray& Ap)
+    {
+        addForces(p, 0, Ap);
+        #pragma omp parallel for simd schedule(static)
+        for (int i = 0; i < n; ++i)
+        {
+            Ap.x[i] = f.m[i]*p.x[i] - deltaT*Ap.x[i];
+            Ap.y[i] = f.m[i]*p.y[i] - deltaT*Ap.y[i];
+            Ap.z[i] = f.m[i]*p.z[i] - deltaT*Ap.z[i];
+        }
+    };
+    const auto precondition = [&](const vectorArray& r, vectorArray& z)
+    {
+        const implicitOperator::blocks& b = inverse_;
+        #pragma omp parallel for simd schedule(static)
+        for (int i = 0; i < n; ++i)
+        {
+            const double x = r.x[i], y = r.y[i], w = r.z[i];
+            z.x[i] = b[0][i]*x + b[1][i]*y + b[2][i]*w;
+            z.y[i] = b[1][i]*x + b[3][i]*y + b[4][i]*w;
+            z.z[i] = b[2][i]*x + b[4][i]*y + b[5][i]*w;
+        }
+    };
+    const auto impulse = [&](const vectorArray& v)
+    {
+        return std::sqrt
+        (
+            blockSum
+            (
+                n,
+                [&](const int i)
+                {
+                    const double x = f.m[i]*(v.x[i] - start_.x[i]);
+                    const double y = f.m[i]*(v.y[i] - start_.y[i]);
+                    const double z = f.m[i]*(v.z[i] - start_.z[i]);
+                    return x*x + y*y + z*z;
+                }
+            )
+        ) + VSMALL;
+    };
+
+    // Round-off of the velocities, in the norm of the kinetic energy
+    const double negligible =
+        sqr(1e3*SMALL)
+       *blockSum
+        (
+            n,
+            [&](const int i)
+            {
+                return f.m[i]*(sqr(f.u[i]) + sqr(f.v[i]) + sqr(f.w[i]));
+            }
+        );
+
+    const conjugateGradient::result result = solver_.solve
+    (
+        apply, precondition, impulse,
+        tolerance_, negligible, maxIterations_, v_, r_
+    );
+    ++nSolves_;
+    nIterations_ += result.iterations;
+    lastResidual_ = result.residual;
+
+    if (!result.converged)
+    {
+        return false;
+    }
+    f.u = v_.x;
+    f.v = v_.y;
+    f.w = v_.z;
+    return true;
+}
+
+
+void Foam::melt::velocitySolver::report(Ostream& os) const
+{
+    if (!nSolves_)
+    {
+        return;
+    }
+
+    std::size_t bytes =
+        solver_.bytes() + v_.bytes() + start_.bytes() + r_.bytes()
+      + 6*sizeof(double)*inverse_[0].capacity();
+    for (const implicitOperator* o : operators_)
+    {
+        bytes += o->bytes();
+    }
+
+    os  << "     implicit solver: " << nIterations_/nSolves_
+        << " iterations a solve, last residual " << lastResidual_ << ", "
+        << label(bytes/max(v_.size(), 1)) << " bytes a particle" << nl;
+}
+
+// ************************************************************************* //

@@ -1,0 +1,143 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "implicitPressure.H"
+#include "addToRunTimeSelectionTable.H"
+#include "blockSum.H"
+#include "checkedEntry.H"
+#include "dimensionSets.H"
+
+namespace Foam
+{
+namespace melt
+{
+    defineTypeNameAndDebug(implicitPressure, 0);
+    addToRunTimeSelectionTable(rateTerm, implicitPressure, dictionary);
+}
+}
+
+
+Foam::melt::implicitPressure::implicitPressure
+(
+    const dictionary& dict,
+    sphSystem& system
+)
+:
+    rateTerm(system),
+    dict_(dict),
+    operator_(system, dict.getOrDefault("tension", true))
+{
+    if (dict.found("speedOfSound"))
+    {
+        system_.soundSpeed = checkedEntry::get
+        (
+            dict, "speedOfSound", dimVelocity, checkedEntry::positive()
+        );
+    }
+}
+
+
+Foam::scalar Foam::melt::implicitPressure::speedOfSound() const
+{
+    const scalar error = checkedEntry::getOrDefault
+    (
+        dict_, "densityError", dimless, checkedEntry::positiveUpTo(1), 0.01
+    );
+
+    // Of |g| times height, and of the speed
+    const particles& f = system_.fluid;
+    const wallState& w = system_.walls;
+    const std::array<double, 3>& g = system_.g;
+    double highest = -GREAT, lowest = GREAT, maxSpeed2 = 0;
+    for (int i = 0; i < f.size(); ++i)
+    {
+        const double potential = -g[0]*f.x[i] - g[1]*f.y[i] - g[2]*f.z[i];
+        highest = std::max(highest, potential);
+        lowest = std::min(lowest, potential);
+        maxSpeed2 = std::max
+        (
+            maxSpeed2,
+            f.u[i]*f.u[i] + f.v[i]*f.v[i] + f.w[i]*f.w[i]
+        );
+    }
+    for (std::size_t i = 0; i < w.size(); ++i)
+    {
+        lowest = std::min(lowest, -g[0]*w.x[i] - g[1]*w.y[i] - g[2]*w.z[i]);
+    }
+
+    const double speed2 = std::max(2*(highest - lowest), maxSpeed2);
+    if (!(speed2 > 0))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry speedOfSound is missing: without gravity and motion it"
+            << " does not follow from densityError, accepted: a number > 0 [m/s]"
+            << exit(FatalIOError);
+    }
+    return std::sqrt(speed2/error);
+}
+
+
+void Foam::melt::implicitPressure::allocate()
+{
+    // Once, from the melt at time 0: a restart comes here a second time, with
+    // the melt of its own time
+    if (system_.soundSpeed == 0 && system_.fluid.size())
+    {
+        system_.soundSpeed = speedOfSound();
+    }
+}
+
+
+void Foam::melt::implicitPressure::prepare()
+{
+    particles& f = system_.fluid;
+    const int n = f.size();
+    const double rho0 = system_.thermo.rho();
+    const double c = system_.soundSpeed;
+
+    #pragma omp parallel for simd schedule(static)
+    for (int i = 0; i < n; ++i)
+    {
+        f.p[i] = c*c*(f.rho[i] - rho0);
+    }
+}
+
+
+bool Foam::melt::implicitPressure::setDensityRate()
+{
+    particles& f = system_.fluid;
+    const int n = f.size();
+
+    operator_.divergence(f.dRho);
+
+    #pragma omp parallel for simd schedule(static)
+    for (int i = 0; i < n; ++i)
+    {
+        f.dRho[i] *= -f.rho[i];
+    }
+    return true;
+}
+
+
+void Foam::melt::implicitPressure::limit(timeStepControl& control) const
+{
+    const particles& f = system_.fluid;
+    const double maxSpeed2 = parallelMax
+    (
+        f.size(),
+        [&](const int i)
+        {
+            return f.u[i]*f.u[i] + f.v[i]*f.v[i] + f.w[i]*f.w[i];
+        }
+    );
+    // Also if it is not a number, for the control to say so
+    if (!(maxSpeed2 <= 0))
+    {
+        control.limit("advective", system_.spacing/std::sqrt(maxSpeed2));
+    }
+}
+
+// ************************************************************************* //

@@ -1,0 +1,176 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "pressureOperator.H"
+#include "pressureOperatorLaws.H"
+
+Foam::melt::pressureOperator::pressureOperator
+(
+    const sphSystem& system,
+    const bool tension
+)
+:
+    system_(system),
+    tension_(tension)
+{}
+
+
+void Foam::melt::pressureOperator::setWallGradient()
+{
+    const particles& f = system_.fluid;
+    const wallState& walls = system_.walls;
+    const int n = system_.near.walls().empty() ? 0 : f.size();
+
+    wallGradient_.resize(n);
+    wallDivergence_.resize(n);
+
+    system_.near.kernel().visit([&](const auto& W)
+    {
+        #pragma omp parallel for schedule(dynamic, 256)
+        for (int i = 0; i < n; ++i)
+        {
+            double bx = 0, by = 0, bz = 0, divergence = 0;
+            const auto row = system_.near.walls().sourcesOf(i);
+
+            // A wall does not pull
+            const int count = p0_[i] < 0 ? 0 : row.size();
+            for (int k = 0; k < count; ++k)
+            {
+                const int j = row[k];
+                const double dx = f.x[i] - walls.x[j];
+                const double dy = f.y[i] - walls.y[j];
+                const double dz = f.z[i] - walls.z[j];
+                const double c =
+                    2*walls.volume[j]
+                   *W.gradientOverR(dx*dx + dy*dy + dz*dz);
+                bx += c*dx;
+                by += c*dy;
+                bz += c*dz;
+                divergence += c
+                   *(
+                        walls.wallU[j]*dx
+                      + walls.wallV[j]*dy
+                      + walls.wallW[j]*dz
+                    );
+            }
+            wallGradient_.x[i] = bx;
+            wallGradient_.y[i] = by;
+            wallGradient_.z[i] = bz;
+            wallDivergence_[i] = divergence;
+        }
+    });
+}
+
+
+void Foam::melt::pressureOperator::update(const double deltaT)
+{
+    const particles& f = system_.fluid;
+    const int n = f.size();
+    const double rho0 = system_.thermo.rho();
+    const double c2 = sqr(system_.soundSpeed);
+
+    p0_.resize(n);
+    p_.resize(n);
+    stiffness_.resize(n);
+
+    #pragma omp parallel for simd schedule(static)
+    for (int i = 0; i < n; ++i)
+    {
+        const double p = c2*(f.rho[i] - rho0);
+        const bool on = tension_ || p >= 0;
+        p0_[i] = on ? p : 0;
+        stiffness_[i] = on ? deltaT*f.rho[i]*c2 : 0;
+    }
+    setWallGradient();
+}
+
+
+void Foam::melt::pressureOperator::addForce
+(
+    const vectorArray& v,
+    const double sources,
+    vectorArray& force
+)
+{
+    const bool walls = wallGradient_.size();
+    const auto setPressure = [&](const int i, double divergence)
+    {
+        if (walls)
+        {
+            divergence += sources*wallDivergence_[i]
+              - v.x[i]*wallGradient_.x[i]
+              - v.y[i]*wallGradient_.y[i]
+              - v.z[i]*wallGradient_.z[i];
+        }
+        p_[i] = sources*p0_[i] - stiffness_[i]*divergence;
+    };
+
+    pairPass
+    (
+        system_.near, system_.walls, system_.fluid,
+        divergenceLaw(v.x.data(), v.y.data(), v.z.data(), setPressure)
+    );
+    pairPass
+    (
+        system_.near, system_.walls, system_.fluid,
+        pressureGradientLaw
+        (
+            p_.data(), system_.fluid.V.data(), wallGradient_, force
+        )
+    );
+}
+
+
+void Foam::melt::pressureOperator::addDiagonal(blocks& diagonal) const
+{
+    pairPass
+    (
+        system_.near, system_.walls, system_.fluid,
+        pressureBlockLaw
+        (
+            stiffness_.data(), system_.fluid.V.data(), wallGradient_, diagonal
+        )
+    );
+}
+
+
+void Foam::melt::pressureOperator::divergence(std::vector<double>& div) const
+{
+    const particles& f = system_.fluid;
+    const bool walls = wallGradient_.size();
+
+    const auto set = [&](const int i, double divergence)
+    {
+        if (walls)
+        {
+            divergence += wallDivergence_[i]
+              - f.u[i]*wallGradient_.x[i]
+              - f.v[i]*wallGradient_.y[i]
+              - f.w[i]*wallGradient_.z[i];
+        }
+        div[i] = divergence;
+    };
+
+    pairPass
+    (
+        system_.near, system_.walls, f,
+        divergenceLaw(f.u.data(), f.v.data(), f.w.data(), set)
+    );
+}
+
+
+std::size_t Foam::melt::pressureOperator::bytes() const
+{
+    return
+        wallGradient_.bytes()
+      + sizeof(double)
+       *(
+            p0_.capacity() + p_.capacity() + stiffness_.capacity()
+          + wallDivergence_.capacity()
+        );
+}
+
+// ************************************************************************* //

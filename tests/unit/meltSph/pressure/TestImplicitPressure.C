@@ -1,0 +1,335 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "implicitPressure.H"
+#include "meltSph/timeStep/schemeCase.H"
+#include "meltUnitTests.H"
+#include "pressureForce.H"
+
+#include <gtest/gtest.h>
+
+namespace Foam
+{
+namespace melt
+{
+namespace unitTest
+{
+namespace
+{
+
+const std::string implicitMelt
+(
+    "scheme semiImplicit; implicit { tolerance 1e-9; }"
+    " viscosity { type unitTestSpring; omega 0; damping 0; }"
+    " pressure { type implicitPressure; "
+);
+
+//- A disordered lump, its densities within 1 % of 1000 kg/m3
+particleCloud lump(const unsigned seed)
+{
+    particleCloud cloud
+    (
+        lattice
+        {
+            {7, 8, 6}, 0.01, smoothingKernel::kernelType::wendlandC2, 1.3, 0.2
+        },
+        seed
+    );
+    cloud.randomiseDensity(0.01);
+    return cloud;
+}
+
+
+vectorArray randomVelocity(particleCloud& cloud)
+{
+    vectorArray v(cloud.size());
+    cloud.randomise(v.x, -1, 1);
+    cloud.randomise(v.y, -1, 1);
+    cloud.randomise(v.z, -1, 1);
+    return v;
+}
+
+
+double norm(const vectorArray& a)
+{
+    return std::sqrt(dot(a, a));
+}
+
+
+//- The operator over a cloud, c = 20 m/s
+struct operatorCase
+{
+    schemeCase scheme;
+    pressureOperator pressure;
+
+    operatorCase
+    (
+        const particleCloud& cloud,
+        const scalar deltaT,
+        const bool tension = true
+    )
+    :
+        scheme(cloud, springAndDamper(1, 0)),
+        pressure(scheme.system, tension)
+    {
+        scheme.system.near = cloud.near;
+        scheme.system.walls = cloud.walls;
+        scheme.system.fluid = cloud.fluid;
+        scheme.system.soundSpeed = 20;
+        pressure.update(deltaT);
+    }
+
+    vectorArray force(const vectorArray& v, const double sources = 0)
+    {
+        vectorArray f(v.size());
+        pressure.addForce(v, sources, f);
+        return f;
+    }
+};
+
+} // End anonymous namespace
+
+
+TEST(PressureOperator, isSymmetricAndTakesEnergyAlsoAtAWall)
+{
+    particleCloud cloud(lump(3));
+    cloud.addWall(1, false);
+    cloud.build();
+
+    for (const bool tension : {true, false})
+    {
+        operatorCase test(cloud, 1e-3, tension);
+        const vectorArray a(randomVelocity(cloud));
+        const vectorArray b(randomVelocity(cloud));
+        const vectorArray fa(test.force(a));
+        const vectorArray fb(test.force(b));
+        EXPECT_NEAR(dot(a, fb), dot(b, fa), 1e-12*norm(a)*norm(fb));
+        EXPECT_LT(dot(a, fa), 0);
+    }
+}
+
+
+TEST(PressureOperator, workIsPressureTimesDivergence)
+{
+    particleCloud cloud(lump(4));
+    cloud.addWall(1, false);
+    cloud.build();
+    operatorCase test(cloud, 1e-3);
+    particles& f = test.scheme.system.fluid;
+
+    const vectorArray v(randomVelocity(cloud));
+    f.u = v.x;
+    f.v = v.y;
+    f.w = v.z;
+    std::vector<double> divergence(f.size());
+    test.pressure.divergence(divergence);
+
+    // v.f = sum V p div with p = p0 - dt rho c^2 div; walls do not see
+    // negative pressure, for which their part of both sides is left out
+    double work = 0, scale = 0;
+    const double rho0 = test.scheme.system.thermo.rho();
+    for (int i = 0; i < f.size(); ++i)
+    {
+        const double p =
+            400*(f.rho[i] - rho0) - 1e-3*f.rho[i]*400*divergence[i];
+        work += f.V[i]*p*divergence[i];
+        scale += f.V[i]*std::abs(p*divergence[i]);
+    }
+    EXPECT_NEAR(dot(v, test.force(v, 1)), work, 1e-12*scale);
+}
+
+
+TEST(PressureOperator, keepsBothMomenta)
+{
+    particleCloud cloud(lump(5));
+    operatorCase test(cloud, 1e-3);
+    const particles& f = test.scheme.system.fluid;
+    const int n = f.size();
+
+    const vectorArray force(test.force(randomVelocity(cloud), 1));
+    const double scale = norm(force);
+    const auto sum = [&](auto&& value) { return blockSum(n, value); };
+    EXPECT_NEAR(sum([&](int i) { return force.x[i]; }), 0, 1e-11*scale);
+    EXPECT_NEAR(sum([&](int i) { return force.y[i]; }), 0, 1e-11*scale);
+    EXPECT_NEAR
+    (
+        sum
+        (
+            [&](int i) { return f.x[i]*force.y[i] - f.y[i]*force.x[i]; }
+        ),
+        0,
+        1e-12*scale
+    );
+}
+
+
+// In a step of no length the pressure is that of the state
+TEST(PressureOperator, withoutAStepIsTheExplicitForce)
+{
+    particleCloud cloud(lump(6));
+    operatorCase test(cloud, 0);
+    particles& f = test.scheme.system.fluid;
+    for (int i = 0; i < f.size(); ++i)
+    {
+        f.p[i] = 400*(f.rho[i] - test.scheme.system.thermo.rho());
+        f.ax[i] = f.ay[i] = f.az[i] = 0;
+        f.m[i] = f.rho[i]*f.V[i];
+    }
+    addPressureForce(test.scheme.system.near, cloud.walls, f);
+
+    const vectorArray force(test.force(randomVelocity(cloud), 1));
+    const double scale = norm(force);
+    for (int i = 0; i < f.size(); ++i)
+    {
+        EXPECT_NEAR(force.x[i], f.m[i]*f.ax[i], 1e-12*scale);
+        EXPECT_NEAR(force.y[i], f.m[i]*f.ay[i], 1e-12*scale);
+        EXPECT_NEAR(force.z[i], f.m[i]*f.az[i], 1e-12*scale);
+    }
+}
+
+
+// The diagonal blocks are those of the operator itself
+TEST(PressureOperator, diagonalIsThatOfTheOperator)
+{
+    particleCloud cloud(lump(7));
+    cloud.addWall(1, false);
+    cloud.build();
+    operatorCase test(cloud, 1e-3);
+    const int n = cloud.size();
+
+    implicitOperator::blocks blocks;
+    for (std::vector<double>& component : blocks)
+    {
+        component.assign(n, 0);
+    }
+    test.pressure.addDiagonal(blocks);
+
+    for (const int i : {0, n/3, n/2, n - 1})
+    {
+        vectorArray v(n);
+        v.x[i] = 1;
+        const vectorArray f(test.force(v));
+        EXPECT_NEAR(-f.x[i]/blocks[0][i], 1, 1e-11);
+        EXPECT_NEAR(-f.y[i], blocks[1][i], 1e-11*blocks[0][i]);
+        EXPECT_NEAR(-f.z[i], blocks[2][i], 1e-11*blocks[0][i]);
+    }
+}
+
+
+TEST(ImplicitPressure, freeFallIsExactInAnyStep)
+{
+    schemeCase scheme(lump(8), implicitMelt + "speedOfSound 10; }");
+    scheme.system.g = {0, -10, 0};
+    particles& f = scheme.system.fluid;
+    for (int i = 0; i < f.size(); ++i)
+    {
+        f.rho[i] = scheme.system.thermo.rho();
+    }
+    const double y = f.y[scheme.indexOf(17)];
+    scheme.run(0.1, 10);
+    EXPECT_NEAR(f.y[scheme.indexOf(17)], y - 0.05, 1e-11);
+    EXPECT_NEAR(f.v[scheme.indexOf(17)], -1, 1e-10);
+}
+
+
+// Sound crosses up to a hundred spacings in a step: its energy does not grow
+TEST(ImplicitPressure, longStepsAreStable)
+{
+    for (const scalar deltaT : {1e-4, 1e-3, 1e-2})
+    {
+        schemeCase scheme(lump(9), implicitMelt + "speedOfSound 100; }");
+        particles& f = scheme.system.fluid;
+        const double rho0 = scheme.system.thermo.rho();
+        const auto energy = [&]()
+        {
+            return blockSum
+            (
+                f.size(),
+                [&](const int i)
+                {
+                    return 0.5*f.m[i]
+                       *(
+                            f.u[i]*f.u[i] + f.v[i]*f.v[i] + f.w[i]*f.w[i]
+                          + sqr(100*(f.rho[i]/rho0 - 1))
+                        );
+                }
+            );
+        };
+        const double start = energy();
+        for (label step = 0; step < 5; ++step)
+        {
+            scheme.run(deltaT, 1);
+            ASSERT_LT(energy(), start) << deltaT << ' ' << step;
+        }
+    }
+}
+
+
+TEST(ImplicitPressure, speedOfSoundFollowsFromTheDensityError)
+{
+    // From the top of the cloud to the lowest wall particle
+    particleCloud cloud
+    (
+        lattice{{4, 6, 4}, 0.01, smoothingKernel::kernelType::wendlandC2, 1.2}
+    );
+    schemeCase scheme(cloud, implicitMelt + "speedOfSound 1; }");
+    sphSystem& s = scheme.system;
+    s.g = {0, -10, 0};
+    s.soundSpeed = 0;
+
+    implicitPressure term
+    (
+        dictionary(IStringStream("densityError 0.02;")()), s
+    );
+    term.allocate();
+    EXPECT_NEAR(s.soundSpeed, std::sqrt(2*10*0.05/0.02), 1e-9);
+
+    // Once for the run
+    s.fluid.y[0] += 1;
+    const double c = s.soundSpeed;
+    term.allocate();
+    EXPECT_EQ(s.soundSpeed, c);
+}
+
+
+TEST(ImplicitPressure, badInputIsRejected)
+{
+    schemeCase scheme(lump(1), implicitMelt + "speedOfSound 1; }");
+    sphSystem& s = scheme.system;
+
+    for (const char* text : {"speedOfSound 0;", "speedOfSound nan;"})
+    {
+        EXPECT_THROW
+        (
+            implicitPressure(dictionary(IStringStream(text)()), s),
+            Foam::IOerror
+        ) << text;
+    }
+
+    s.g = {0, -10, 0};
+    for (const char* text : {"densityError 0;", "densityError -1;"})
+    {
+        s.soundSpeed = 0;
+        implicitPressure term(dictionary(IStringStream(text)()), s);
+        EXPECT_THROW(term.allocate(), Foam::IOerror) << text;
+    }
+
+    // Without gravity and motion
+    s.g = {0, 0, 0};
+    s.soundSpeed = 0;
+    for (int i = 0; i < s.fluid.size(); ++i)
+    {
+        s.fluid.u[i] = s.fluid.v[i] = s.fluid.w[i] = 0;
+    }
+    implicitPressure term(dictionary::null, s);
+    EXPECT_THROW(term.allocate(), Foam::IOerror);
+}
+
+} // End namespace unitTest
+} // End namespace melt
+} // End namespace Foam
+
+// ************************************************************************* //
