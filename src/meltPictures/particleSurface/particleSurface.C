@@ -6,6 +6,7 @@
 
 #include "particleSurface.H"
 #include "characteristicSurface.H"
+#include "voxelDensity.H"
 #include "DynamicList.H"
 #include "triFace.H"
 
@@ -60,15 +61,6 @@ scalar readVoxel(const dictionary& dict)
     );
 }
 
-
-scalar readLevel(const dictionary& dict)
-{
-    return dict.getCheckOrDefault<scalar>
-    (
-        "level", 0.45, [](const scalar l) { return l > 0 && l < 1; }
-    );
-}
-
 } // End anonymous namespace
 
 
@@ -100,11 +92,11 @@ Foam::melt::particleSurface::particleSurface
             volumes.cdata(),
             radius_,
             readVoxel(dict)*spacing_,
-            readLevel(dict)
+            level(dict)
         )
     )
 {
-    const scalar level = readLevel(dict);
+    const scalar level = particleSurface::level(dict);
     const auto chi = cloud_.chi(positions.size(), data(positions));
     scalarField enclosed(positions.size());
     forAll(positions, i)
@@ -134,7 +126,59 @@ Foam::melt::particleSurface::particleSurface
 }
 
 
+Foam::melt::particleSurface::particleSurface
+(
+    const dictionary& dict,
+    const pointField& positions,
+    const scalarField& volumes,
+    const scalar edge,
+    const triangleMesh& mesh
+)
+:
+    spacing_(edge),
+    radius_(readRadius(dict)*spacing_),
+    cloud_(positions.size(), data(positions), volumes.cdata(), radius_),
+    shading_
+    (
+        positions.size(),
+        data(positions),
+        volumes.cdata(),
+        readShading(dict)*spacing_
+    ),
+    mesh_(mesh)
+{}
+
+
+Foam::autoPtr<Foam::melt::particleSurface> Foam::melt::particleSurface::New
+(
+    const dictionary& dict,
+    const polyMesh& mesh,
+    const pointField& positions,
+    const scalarField& volumes
+)
+{
+    if (!voxelDensity::found(mesh))
+    {
+        return autoPtr<particleSurface>::New(dict, positions, volumes);
+    }
+    const voxelDensity density(mesh);
+    return autoPtr<particleSurface>::New
+    (
+        dict, positions, volumes, density.edge(), density.surface(level(dict))
+    );
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::melt::particleSurface::level(const dictionary& dict)
+{
+    return dict.getCheckOrDefault<scalar>
+    (
+        "level", 0.45, [](const scalar l) { return l > 0 && l < 1; }
+    );
+}
+
 
 Foam::pointField Foam::melt::particleSurface::points() const
 {

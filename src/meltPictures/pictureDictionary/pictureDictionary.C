@@ -44,7 +44,7 @@ const List<Tuple2<word, wordList>> knownEntries
         "look",
         {
             "floor", "background", "lightAzimuth", "lightElevation",
-            "lightSize", "gloss", "legend", "time"
+            "lightSize", "gloss", "legend", "time", "scenery", "sceneryColour"
         }
     },
     { "surface", { "radius", "shading", "voxel", "level" } }

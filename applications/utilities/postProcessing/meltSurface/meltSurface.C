@@ -79,12 +79,17 @@ int main(int argc, char *argv[])
         }
 
         const melt::cloudSnapshot particles(mesh, cloudName);
-        const melt::particleSurface surface
+        const autoPtr<melt::particleSurface> tsurface
         (
-            dict.subOrEmptyDict("surface"),
-            particles.positions(),
-            particles.volumes(dict)
+            melt::particleSurface::New
+            (
+                dict.subOrEmptyDict("surface"),
+                mesh,
+                particles.positions(),
+                particles.volumes(dict)
+            )
         );
+        const melt::particleSurface& surface = *tsurface;
 
         const pointField points(surface.points());
         const faceList faces(surface.faces());

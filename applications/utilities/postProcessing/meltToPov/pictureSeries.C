@@ -189,12 +189,17 @@ void Foam::melt::pictureSeries::write() const
         os.writeRaw(stage_.data(), stage_.size());
         if (surface_)
         {
-            const particleSurface surface
+            const autoPtr<particleSurface> tsurface
             (
-                dict_.subOrEmptyDict("surface"),
-                particles.positions(),
-                volumes
+                particleSurface::New
+                (
+                    dict_.subOrEmptyDict("surface"),
+                    mesh_,
+                    particles.positions(),
+                    volumes
+                )
             );
+            const particleSurface& surface = *tsurface;
             scene_.writeSurface(os, surface, surface.interpolate(values));
             const labelList& lonely = surface.lonely();
             scene_.writeSpheres

@@ -225,6 +225,61 @@ void Foam::melt::voxelFiles::readEnergies
 }
 
 
+void Foam::melt::voxelFiles::writeDensity
+(
+    const fvMesh& mesh,
+    const voxelFrame& frame,
+    const voxelGrid& grid,
+    const densityField& density
+)
+{
+    const point a(frame.position(0.5, 0.5, 0.5));
+    const point b
+    (
+        frame.position(grid.n()[0] - 0.5, grid.n()[1] - 0.5, grid.n()[2] - 0.5)
+    );
+    const point origin(min(a, b));
+
+    DynamicList<label> voxels;
+    DynamicList<scalar> values;
+    const std::array<int, 3>& nb = grid.nBricks();
+    for (int index = 0; index < nb[0]*nb[1]*nb[2]; ++index)
+    {
+        const densityField::values* brick = density.brick(index);
+        const std::array<int, 3> o = grid.origin(index);
+        for (int i = 0; brick && i < voxelBrick::size; ++i)
+        {
+            if ((*brick)[i] > 0)
+            {
+                const vector v
+                (
+                    frame.position
+                    (
+                        o[0] + (i >> 6) + 0.5,
+                        o[1] + ((i >> 3) & 7) + 0.5,
+                        o[2] + (i & 7) + 0.5
+                    )
+                  - origin
+                );
+                for (direction k = 0; k < 3; ++k)
+                {
+                    voxels.append(label(std::lround(v[k]/frame.dx())));
+                }
+                values.append((*brick)[i]);
+            }
+        }
+    }
+    writeState(mesh, "density", scalarField(values));
+    writeState(mesh, "densityVoxels", labelField(voxels));
+    writeState
+    (
+        mesh,
+        "densityGrid",
+        vectorField({origin, vector::uniform(frame.dx())})
+    );
+}
+
+
 void Foam::melt::voxelFiles::writeCloud
 (
     const fvMesh& mesh,

@@ -180,6 +180,7 @@ void Foam::melt::voxelGrid::refresh()
         }
         b.changed = false;
         b.conducting = true;
+        b.unfiltered = true;
         disposable[bricki] = !used ? 1 : rock ? 2 : 0;
     }
     solidsChanged_ = solidsChanged_ || solidsChanged;

@@ -146,16 +146,26 @@ void Foam::melt::voxelHeating::give
     voxelBrick& b = grid.ownAt(x, y, z);
     const int i = voxelBrick::offset(x, y, z);
     const voxelMaterial& material = grid.material();
-    const scalar capacity =
-        b.mass[i]*material.massUnit
-       *material.curve.Cp(material.h(b.mass[i], b.energy[i]));
-    const auto energy = std::int64_t
-    (
-        std::llround(power*dt/(1 + slope*dt/capacity)/material.energyUnit)
-    );
+    const scalar h = material.h(b.mass[i], b.energy[i]);
+    const scalar mass = b.mass[i]*material.massUnit;
+    scalar heat = power*dt/(1 + slope*dt/(mass*material.curve.Cp(h)));
+    if (slope > 0)
+    {
+        // Not beyond the temperature at which the power would be 0: on its
+        // way the voxel's heat capacity may fall
+        const scalar balance =
+            mass
+           *(material.curve.h(material.curve.T(h) + power/slope) - h);
+        heat =
+            power > 0
+          ? min(heat, max(balance, scalar(0)))
+          : max(heat, min(balance, scalar(0)));
+    }
+    const auto energy = std::int64_t(std::llround(heat/material.energyUnit));
     b.energy[i] += energy;
     b.changed = true;
     (energy > 0 ? in : out) += std::abs(energy);
+    fastest = max(fastest, std::abs(energy)/(voxelMaterial::energyRange*dt));
 }
 
 
@@ -248,6 +258,15 @@ Foam::melt::voxelHeating::voxelHeating
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::melt::voxelHeating::update()
+{
+    if (sources_.update())
+    {
+        fastest = VGREAT;
+    }
+}
+
+
 void Foam::melt::voxelHeating::heat
 (
     voxelGrid& grid,
@@ -255,7 +274,7 @@ void Foam::melt::voxelHeating::heat
     const scalar dt
 )
 {
-    sources_.update();
+    fastest = 0;
     if (!active())
     {
         return;

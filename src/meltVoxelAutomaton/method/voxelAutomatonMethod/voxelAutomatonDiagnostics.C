@@ -120,7 +120,8 @@ Foam::melt::voxelAutomatonMethod::diagnostics() const
         d.maxU = max(d.maxU, f.speed);
     }
 
-    // A film is seen where it is thicker than 1/1000 voxel
+    // A film is seen where it is thicker than 1/1000 voxel; that of a few
+    // units of mass has a temperature of a few units of enthalpy
     const std::int32_t seen = voxelMaterial::full/1000;
     scalar liquid = 0;
     d.minT = GREAT;
@@ -142,10 +143,10 @@ Foam::melt::voxelAutomatonMethod::diagnostics() const
         )
         {
             liquid += m*material.curve.liquidFraction(material.h(m, energy));
-            d.minT = min(d.minT, T);
-            d.maxT = max(d.maxT, T);
             if (m >= seen)
             {
+                d.minT = min(d.minT, T);
+                d.maxT = max(d.maxT, T);
                 bounds.add(frame_.position(x, y, z));
                 bounds.add(frame_.position(x + 1, y + 1, z + 1));
                 low = min(low, scalar(z));

@@ -141,21 +141,30 @@ Foam::melt::voxelAutomatonMethod::readPublished()
 }
 
 
-Foam::scalar Foam::melt::voxelAutomatonMethod::heatLimit() const
+Foam::scalar Foam::melt::voxelAutomatonMethod::conductionLimit() const
 {
     return conduction_ ? conduction_->maxDeltaT(grid_) : GREAT;
 }
 
 
+Foam::scalar Foam::melt::voxelAutomatonMethod::heatLimit() const
+{
+    return min
+    (
+        heatInterval_*conductionLimit(),
+        heatChange_/max(heating_->fastest, VSMALL)
+    );
+}
+
+
 void Foam::melt::voxelAutomatonMethod::exchangeHeat()
 {
-    // Sources without conduction act each step
-    const scalar limit = heatLimit();
-    if (conduction_ && heatTime_ < heatInterval_*limit)
+    heating_->update();
+    if (heatTime_ < heatLimit())
     {
         return;
     }
-    const label n = label(std::ceil(heatTime_/limit));
+    const label n = max(label(std::ceil(heatTime_/conductionLimit())), 1);
     const scalar dt = heatTime_/n;
     const scalar start = mesh_.time().value() - heatTime_;
     for (label i = 0; i < n; ++i)
@@ -230,6 +239,16 @@ Foam::melt::voxelAutomatonMethod::voxelAutomatonMethod
             "interval",
             checkedEntry::positiveUpTo(1),
             0.5
+        )
+    ),
+    heatChange_
+    (
+        number
+        (
+            dict_.subOrEmptyDict("heat"),
+            "change",
+            checkedEntry::positiveUpTo(1),
+            0.002
         )
     )
 {
@@ -326,7 +345,12 @@ Foam::scalar Foam::melt::voxelAutomatonMethod::maxDeltaT() const
     }
     else
     {
-        limit(heatLimit(), "conduction");
+        limit
+        (
+            heating_->fastest < VGREAT
+          ? heatLimit() : heatInterval_*conductionLimit(),
+            "heat"
+        );
     }
     return maxDeltaT_;
 }
@@ -374,6 +398,8 @@ void Foam::melt::voxelAutomatonMethod::write()
         voxelFiles::writeEnergies(mesh_, published_->energy());
     }
     voxelFiles::writeCloud(mesh_, frame_, grid_);
+    density_.update(grid_);
+    voxelFiles::writeDensity(mesh_, frame_, grid_, density_);
 }
 
 

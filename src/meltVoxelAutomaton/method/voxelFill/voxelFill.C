@@ -64,7 +64,7 @@ void forAllFilled
     {
         for (int y = 1; y < size[1] - 1; ++y)
         {
-            pointField points;
+            DynamicList<point> points;
             std::vector<int> mixed;
             std::vector<double> share(size[2], 0);
             for (int z = 1; z < size[2] - 1; ++z)
@@ -97,7 +97,7 @@ void forAllFilled
             }
             if (!mixed.empty())
             {
-                const boolList in(body.inside(points));
+                const boolList in(body.inside(pointField(points)));
                 forAll(in, i)
                 {
                     share[mixed[i/27]] += in[i]/27.0;
