@@ -345,6 +345,18 @@ Foam::melt::eulerianMesh::eulerianMesh(const meltScene& scene)
     scene_(scene),
     box_(scene.mesh().bounds())
 {
+    for (const polyPatch& patch : scene.mesh().boundaryMesh())
+    {
+        if (patch.coupled())
+        {
+            FatalErrorInFunction
+                << "Patch " << patch.name() << " of the domain is of type "
+                << patch.type() << '.' << nl
+                << "Accepted by the method eulerian: wall, patch, symmetryPlane,"
+                << " symmetry and empty, in a run without mpirun"
+                << exit(FatalError);
+        }
+    }
     makeGrid();
     findCells();
     makeMesh();

@@ -12,12 +12,14 @@ Foam::melt::staggeredGrid::staggeredGrid
 (
     const triple& n,
     const std::array<double, 3>& d,
-    const std::array<bool, 3>& solved
+    const std::array<bool, 3>& solved,
+    const std::array<bool, 3>& periodic
 )
 :
     n_(n),
     d_(d),
-    solved_(solved)
+    solved_(solved),
+    periodic_(periodic)
 {
     for (int a = 0; a < 3; ++a)
     {
@@ -64,7 +66,12 @@ void Foam::melt::staggeredGrid::setBlocked(const std::vector<char>& blocked)
                 {
                     triple lower(c);
                     --lower[a];
-                    if (inside(lower) && !blocked_[cell(c)] && !blocked_[cell(lower)])
+                    if
+                    (
+                        inside(lower)
+                     && !blocked_[cell(c)]
+                     && !blocked_[cell(lower)]
+                    )
                     {
                         faces_[a][face(a, c)] = condition::interior;
                     }

@@ -239,9 +239,22 @@ void Foam::melt::eulerianMethod::flow(const scalar deltaT)
         deltaT,
         acceleration(),
         sink(),
-        [&](const std::vector<double>& rate, std::vector<double>& eta)
+        [&]
+        (
+            const std::vector<double>& rate,
+            const std::vector<int>& cell,
+            std::vector<double>& eta
+        )
         {
-            rheology.eta(label(eta.size()), rate.data(), T.data(), eta.data());
+            std::vector<double> TOfCell(cell.size());
+            for (std::size_t i = 0; i < cell.size(); ++i)
+            {
+                TOfCell[i] = T[cell[i]];
+            }
+            rheology.eta
+            (
+                label(eta.size()), rate.data(), TOfCell.data(), eta.data()
+            );
         },
         scene_.effects()("generalisedNewtonian")
     );

@@ -73,7 +73,11 @@ double along
     triple to(c);
     to[b] += step;
     const double here = U[a][grid.face(a, c)];
-    if (to[b] < 0 || to[b] >= grid.n()[b] + (a == b))
+    const bool beyond =
+        a == b
+      ? !grid.inside(b, to[b]) && to[b] != grid.n()[b]
+      : !grid.inside(b, to[b]);
+    if (beyond)
     {
         if (a == b || std::abs(step) > 1)
         {
@@ -110,7 +114,7 @@ Foam::melt::faceVelocities Foam::melt::faceAdvection::advected
     for (int a = 0; a < 3; ++a)
     {
         triple c, n(grid.n());
-        ++n[a];
+        n[a] = grid.nLayers(a);
         for (c[2] = 0; c[2] < n[2]; ++c[2])
         {
             for (c[1] = 0; c[1] < n[1]; ++c[1])

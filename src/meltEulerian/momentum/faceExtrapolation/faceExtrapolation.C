@@ -34,7 +34,7 @@ void extrapolate
 {
     const staggeredGrid& grid = elements.grid();
     triple n(grid.n());
-    ++n[a];
+    n[a] = grid.nLayers(a);
 
     // Faces of the layer found last, and which are known
     std::vector<triple> front;
@@ -68,7 +68,7 @@ void extrapolate
             {
                 triple next(at);
                 next[b] += step;
-                if (next[b] >= 0 && next[b] < n[b])
+                if (grid.inside(b, next[b]) || (a == b && next[b] == n[b] - 1))
                 {
                     action(next, grid.face(a, next));
                 }

@@ -20,6 +20,46 @@ const int nLayers = 3;
 } // End anonymous namespace
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+std::vector<double> Foam::melt::meltFlow::viscosities
+(
+    const strainElements& elements,
+    const double* u,
+    const viscosity& viscosityOf
+)
+{
+    const std::vector<double> rates(elements.shearRate(u));
+    std::vector<double> shearRate, eta;
+    std::vector<int> cell;
+    for (std::size_t i = 0; i < rates.size(); ++i)
+    {
+        const strainElements::element& e = elements.elements()[i];
+        for (int j = 0; j < e.nCells; ++j)
+        {
+            shearRate.push_back(rates[i]);
+            cell.push_back(e.cells[j]);
+        }
+    }
+    eta.resize(cell.size());
+    viscosityOf(shearRate, cell, eta);
+
+    std::vector<double> mean(rates.size());
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < rates.size(); ++i)
+    {
+        const int n = elements.elements()[i].nCells;
+        double sum = 0;
+        for (int j = 0; j < n; ++j)
+        {
+            sum += 1/eta[next++];
+        }
+        mean[i] = n/sum;
+    }
+    return mean;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::melt::meltFlow::meltFlow(const staggeredGrid& grid, const controls& c)
@@ -74,11 +114,12 @@ Foam::melt::meltFlow::record Foam::melt::meltFlow::advance
         }
     }
 
-    std::vector<double> eta(grid_.nCells());
     do
     {
-        viscosityOf(elements.shearRate(u.data()), eta);
-        r.solved = system.solve(eta, solver);
+        r.solved = system.solve
+        (
+            viscosities(elements, u.data(), viscosityOf), solver
+        );
         r.residuals = solver.history();
         r.method = solver.method();
         r.iterations += long(r.residuals.size());

@@ -23,6 +23,9 @@ const double epsilon = 1e-7;
 
 const int maxRefinements = 30;
 
+// Residual that rounding leaves of terms that cancel, relative to them
+const double rounding = 1e-13;
+
 using factors = Eigen::IncompleteCholesky<double>;
 
 
@@ -149,25 +152,41 @@ bool Foam::melt::saddleSolver::direct(const system& s, vector& u, vector& p)
     const vector diagonal(s.A.diagonal());
     u.setZero();
     p.setZero();
-    vector ru, rp, r(nu + np);
-    residual(s, u, p, ru, rp);
+    vector ru(s.f), rp(s.g), r(nu + np);
     const double start = norm(s, diagonal, ru, rp);
-    double last = 1;
-    for (int i = 0; start > 0 && i < maxRefinements; ++i)
+    if (start == 0)
+    {
+        return true;
+    }
+    double last = 1, before = 4;
+    while
+    (
+        last > controls_.tolerance
+     && last < 0.5*before
+     && int(history_.size()) < maxRefinements
+    )
     {
         r << ru, rp;
         const vector delta(ldlt.solve(r));
         u += delta.head(nu);
         p += delta.tail(np);
         residual(s, u, p, ru, rp);
+        before = last;
         last = norm(s, diagonal, ru, rp)/start;
         history_.push_back(last);
-        if (!(last > controls_.tolerance))
-        {
-            break;
-        }
     }
-    return last <= controls_.tolerance || start == 0;
+
+    // A stiff melt's forces cancel to what drives it: no better than they are
+    // rounded
+    const vector forces
+    (
+        s.f.cwiseAbs() + s.A.cwiseAbs()*u.cwiseAbs()
+      + s.B.cwiseAbs().transpose()*p.cwiseAbs()
+    );
+    const vector fluxes(s.g.cwiseAbs() + s.B.cwiseAbs()*u.cwiseAbs());
+    return
+        last <= controls_.tolerance
+     || last*start <= rounding*norm(s, diagonal, forces, fluxes);
 }
 
 

@@ -25,7 +25,7 @@ void forAllFaces(const staggeredGrid& grid, const Action& action)
     for (int a = 0; a < 3; ++a)
     {
         staggeredGrid::triple c, end(grid.n());
-        ++end[a];
+        end[a] = grid.nLayers(a);
         for (c[2] = 0; c[2] < end[2]; ++c[2])
         {
             for (c[1] = 0; c[1] < end[1]; ++c[1])
@@ -62,11 +62,12 @@ void Foam::melt::stokesSystem::setDivergence()
     {
         const int u = elements_.velocity(a, face);
         const double area = grid.volume()/grid.d()[a];
-        for (const int cell : {lower, upper})
+        for (const bool isLower : {true, false})
         {
+            const int cell = isLower ? lower : upper;
             const int p = cell < 0 ? -1 : elements_.pressure(cell);
             const double out =
-                (cell == lower ? area : -area)
+                (isLower ? area : -area)
                *(p < 0 ? 0 : elements_.alpha(cell));
             if (p >= 0 && u >= 0)
             {
@@ -160,10 +161,15 @@ bool Foam::melt::stokesSystem::solve
     {
         entries.emplace_back(i, i, drag_[i]);
     }
-    for (const strainElements::element& e : elements_.elements())
+    system_.C.setZero(p_.size());
+    for (std::size_t number = 0; number < eta.size(); ++number)
     {
-        const double k =
-            (e.shear ? 1 : 2)*e.weight*strainElements::harmonic(e, eta);
+        const strainElements::element& e = elements_.elements()[number];
+        const double k = (e.shear() ? 1 : 2)*e.weight*eta[number];
+        if (!e.shear() && elements_.pressure(e.cells[0]) >= 0)
+        {
+            system_.C[elements_.pressure(e.cells[0])] = e.weight/eta[number];
+        }
         for (int i = 0; i < e.n; ++i)
         {
             for (int j = 0; j < e.n; ++j)
@@ -179,16 +185,6 @@ bool Foam::melt::stokesSystem::solve
     system_.A.resize(drag_.size(), drag_.size());
     system_.A.setFromTriplets(entries.begin(), entries.end());
 
-    system_.C.resize(p_.size());
-    for (int cell = 0; cell < elements_.grid().nCells(); ++cell)
-    {
-        const int p = elements_.pressure(cell);
-        if (p >= 0)
-        {
-            system_.C[p] =
-                elements_.alpha(cell)*elements_.grid().volume()/eta[cell];
-        }
-    }
     return u_.size() == 0 || solver.solve(system_, u_, p_);
 }
 

@@ -54,7 +54,7 @@ void Foam::melt::strainElements::number()
         if (grid_.solved(a))
         {
             triple end(grid_.n());
-            ++end[a];
+            end[a] = grid_.nLayers(a);
             forAllIn(end, [&](const triple& c)
             {
                 const triple lower(shifted(c, a, -1));
@@ -138,6 +138,7 @@ void Foam::melt::strainElements::addNormalRates()
             for (int a = 0; a < 3; ++a)
             {
                 element e{};
+                e.plane = -1;
                 if (grid_.solved(a))
                 {
                     const double perCell = 1/grid_.d()[a];
@@ -157,8 +158,9 @@ void Foam::melt::strainElements::addNormalRates()
 }
 
 
-void Foam::melt::strainElements::addShearRates(const int a, const int b)
+void Foam::melt::strainElements::addShearRates(const int plane)
 {
+    const int a = plane, b = (plane + 1) % 3;
     if (!grid_.solved(a) || !grid_.solved(b))
     {
         return;
@@ -166,8 +168,8 @@ void Foam::melt::strainElements::addShearRates(const int a, const int b)
     const double da = grid_.d()[a], db = grid_.d()[b];
 
     triple end(grid_.n());
-    ++end[a];
-    ++end[b];
+    end[a] = grid_.nLayers(a);
+    end[b] = grid_.nLayers(b);
     forAllIn(end, [&](const triple& c)
     {
         // Cells -- +- -+ ++ of the edge in the directions a, b
@@ -194,7 +196,7 @@ void Foam::melt::strainElements::addShearRates(const int a, const int b)
             return;
         }
         const double quarter = 0.25*grid_.volume();
-        e.shear = true;
+        e.plane = plane;
 
         // Does the velocity normal to p, of the wall between the cells i0, i1
         // on its solid side and j0, j1 on its free side, shear
@@ -290,9 +292,10 @@ Foam::melt::strainElements::strainElements
     }
     number();
     addNormalRates();
-    addShearRates(0, 1);
-    addShearRates(1, 2);
-    addShearRates(2, 0);
+    for (const int plane : {0, 1, 2})
+    {
+        addShearRates(plane);
+    }
 }
 
 
@@ -301,36 +304,34 @@ Foam::melt::strainElements::strainElements
 std::vector<double>
 Foam::melt::strainElements::shearRate(const double* u) const
 {
-    std::vector<double> square(grid_.nCells(), 0);
-    for (const element& e : elements_)
+    // Squares of each plane, a quarter from each edge, and of the normal rates
+    std::vector<std::array<double, 4>> square(grid_.nCells(), {0, 0, 0, 0});
+    std::vector<double> rates(elements_.size());
+    for (std::size_t i = 0; i < elements_.size(); ++i)
     {
-        const double rate = e.rate(u);
-        const double part = rate*rate*(e.shear ? 0.25 : 2);
-        for (int i = 0; i < e.nCells; ++i)
+        const element& e = elements_[i];
+        rates[i] = e.rate(u);
+        for (int j = 0; j < e.nCells; ++j)
         {
-            square[e.cells[i]] += part;
+            square[e.cells[j]][e.shear() ? e.plane : 3] +=
+                rates[i]*rates[i]*(e.shear() ? 0.25 : 2);
         }
     }
-    for (double& s : square)
+    for (std::size_t i = 0; i < elements_.size(); ++i)
     {
-        s = std::sqrt(s);
+        const element& e = elements_[i];
+        double others = 0;
+        for (int j = 0; j < e.nCells; ++j)
+        {
+            for (int k = 0; k < 4; ++k)
+            {
+                others += k == e.plane ? 0 : square[e.cells[j]][k];
+            }
+        }
+        const double own = e.shear() ? rates[i]*rates[i] : 0;
+        rates[i] = std::sqrt(own + others/e.nCells);
     }
-    return square;
-}
-
-
-double Foam::melt::strainElements::harmonic
-(
-    const element& e,
-    const std::vector<double>& property
-)
-{
-    double sum = 0;
-    for (int i = 0; i < e.nCells; ++i)
-    {
-        sum += 1/property[e.cells[i]];
-    }
-    return e.nCells/sum;
+    return rates;
 }
 
 // ************************************************************************* //
