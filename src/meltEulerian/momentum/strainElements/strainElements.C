@@ -206,11 +206,16 @@ void Foam::melt::strainElements::addShearRates(const int plane)
         )
         {
             // Faces of the wall, normal to q, and the face in the melt
-            const double length = side*0.5*grid_.d()[q];
             int faces = 0;
             double velocity = 0;
+            bool film = true;
             for (const int j : {j0, j1})
             {
+                const triple beyond(shifted(cells[j], q, side));
+                film = film
+                 && grid_.inside(beyond)
+                 && !grid_.blocked(grid_.cell(beyond))
+                 && alpha_[grid_.cell(beyond)] == 0;
                 const int face = grid_.face
                 (
                     q, shifted(cells[j], q, side > 0 ? 0 : 1)
@@ -222,6 +227,11 @@ void Foam::melt::strainElements::addShearRates(const int plane)
                     ++faces;
                 }
             }
+
+            // A film within a cell has the drag of its parabolic profile
+            const double thickness = 0.5*(liquid[j0] + liquid[j1]);
+            const double length =
+                side*grid_.d()[q]*(film ? thickness/3 : 0.5);
             if
             (
                 faces
