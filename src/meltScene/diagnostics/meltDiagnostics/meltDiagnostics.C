@@ -82,6 +82,8 @@ bool Foam::melt::meltDiagnostics::finite() const
             centreOfMass.z(),
             kineticEnergy,
             thermalEnergy,
+            potentialEnergy,
+            elasticEnergy,
             maxU,
             minT,
             maxT

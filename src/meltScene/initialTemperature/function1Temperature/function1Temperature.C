@@ -60,7 +60,7 @@ Foam::tmp<Foam::scalarField> Foam::melt::function1Temperature::value
 
     for (const scalar Ti : T())
     {
-        checkedEntry::check(dict_, "value", Ti, checkedEntry::positive());
+        checkedEntry::check(dict_, "value", Ti, checkedEntry::notNegative());
     }
 
     return T;

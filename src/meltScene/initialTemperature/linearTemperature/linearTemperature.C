@@ -41,7 +41,7 @@ static Foam::scalar readTemperature
         dict,
         keyword,
         Foam::dimTemperature,
-        checkedEntry::positive()
+        checkedEntry::notNegative()
     );
 }
 

@@ -40,7 +40,7 @@ Foam::melt::uniformTemperature::uniformTemperature
             dict,
             "value",
             dimTemperature,
-            checkedEntry::positive()
+            checkedEntry::notNegative()
         )
     )
 {}

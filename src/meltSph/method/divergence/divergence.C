@@ -5,10 +5,21 @@
 \*---------------------------------------------------------------------------*/
 
 #include "divergence.H"
+#include "blockSum.H"
 #include "error.H"
 #include "vector.H"
 
 #include <cmath>
+
+bool Foam::melt::densityIsPositive(const particles& f)
+{
+    return blockSum
+    (
+        f.size(),
+        [&](const int i) { return f.rho[i] > 0 ? 0.0 : 1.0; }
+    ) == 0;
+}
+
 
 int Foam::melt::divergedParticle(const particles& f)
 {
@@ -21,6 +32,7 @@ int Foam::melt::divergedParticle(const particles& f)
         (
             !std::isfinite(f.x[i] + f.y[i] + f.z[i])
          || !std::isfinite(f.u[i] + f.v[i] + f.w[i])
+         || !(f.rho[i] > 0)
         )
         {
             return i;

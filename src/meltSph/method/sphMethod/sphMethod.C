@@ -231,6 +231,22 @@ void Foam::melt::sphMethod::removeEscaped()
 
     if (int(staying.size()) < f.size())
     {
+        const List<wallCondition>& conditions = scene_.walls().conditions();
+        const bool closed = std::all_of
+        (
+            conditions.begin(),
+            conditions.end(),
+            [](const wallCondition& c) { return c.isWall(); }
+        );
+        if (closed)
+        {
+            endDivergedRun
+            (
+                f,
+                mesh_.time().value(),
+                "a particle has left the domain, which has no open patch"
+            );
+        }
         f.permute(staying);
         system_.near.build(f, system_.walls);
     }
@@ -312,6 +328,7 @@ Foam::melt::sphMethod::sphMethod(fvMesh& mesh, const meltScene& scene)
         scheme_->allocate();
         system_.fluid.require({&system_.fluid.V});
         readSums();
+        scheme_->resume();
     }
     else
     {
@@ -347,14 +364,24 @@ void Foam::melt::sphMethod::advance(const scalar deltaT)
     {
         endDivergedRun(system_.fluid, mesh_.time().value(), e.what());
     }
+    if (!densityIsPositive(system_.fluid))
+    {
+        endDivergedRun
+        (
+            system_.fluid,
+            mesh_.time().value(),
+            "the density of a particle is not positive"
+        );
+    }
 
     if (system_.near.nBuilds() != nBuilds)
     {
         removeEscaped();
     }
 
-    (system_.heatFromWalls > 0 ? heatIn_ : heatOut_) +=
-        mag(system_.heatFromWalls)*deltaT;
+    (system_.heatReceived > 0 ? heatIn_ : heatOut_) +=
+        mag(system_.heatReceived);
+    system_.heatReceived = 0;
     particleSteps_ += system_.fluid.size();
     pairVisits_ += system_.near.fluid().nPairs();
 }
@@ -379,6 +406,7 @@ void Foam::melt::sphMethod::write()
     {
         f.T[i] = curve.T(f.h[i]);
     }
+    scheme_->resume();
     writeSums();
 }
 

@@ -48,6 +48,7 @@ void Foam::melt::sphMethod::readSums()
 {
     sums_.readIfPresent("heatIn", heatIn_);
     sums_.readIfPresent("heatOut", heatOut_);
+    sums_.readIfPresent("heatFromWalls", system_.heatFromWalls);
     sums_.readIfPresent("initialPotentialEnergy", initialPotentialEnergy_);
     sums_.readIfPresent("escapedMass", escapedMass_);
     sums_.readIfPresent("initialCentre", initialCentre_);
@@ -64,6 +65,7 @@ void Foam::melt::sphMethod::writeSums()
     );
     sums_.set("heatIn", heatIn_);
     sums_.set("heatOut", heatOut_);
+    sums_.set("heatFromWalls", system_.heatFromWalls);
     sums_.set("initialPotentialEnergy", initialPotentialEnergy_);
     sums_.set("escapedMass", escapedMass_);
     sums_.set("initialCentre", initialCentre_);

@@ -117,6 +117,7 @@ void Foam::melt::leapFrog::correct(const scalar dt)
 
 void Foam::melt::leapFrog::advance(const scalar dt)
 {
+    const double heatBefore = system_.heatFromWalls;
     const scalar longestWay = predict(dt);
     wallContacts_ += keepInFrontOfWalls
     (
@@ -125,6 +126,7 @@ void Foam::melt::leapFrog::advance(const scalar dt)
     updateNeighbours(longestWay);
     equations_.evaluate();
     correct(dt);
+    system_.heatReceived += 0.5*dt*(heatBefore + system_.heatFromWalls);
 }
 
 // ************************************************************************* //

@@ -79,10 +79,18 @@ bool Foam::melt::semiImplicit::step(const scalar dt)
         longest2 = std::max(longest2, dx*dx + dy*dy + dz*dz);
     }
 
+    system_.heatReceived += dt*system_.heatFromWalls;
+
     wallContacts_ += keepInFrontOfWalls(system_.near, system_.walls, f);
     updateNeighbours(std::sqrt(longest2));
     equations_.evaluate();
     return true;
+}
+
+
+void Foam::melt::semiImplicit::resume()
+{
+    equations_.evaluate();
 }
 
 

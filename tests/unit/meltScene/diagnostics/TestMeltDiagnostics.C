@@ -86,6 +86,20 @@ TEST(MeltDiagnostics, nothingIsNeitherLiquidNorSolid)
 TEST(MeltDiagnostics, isNotFiniteWithNaNOrInfinity)
 {
     EXPECT_TRUE(meltDiagnostics().finite());
+    for
+    (
+        scalar meltDiagnostics::* energy
+      : {
+            &meltDiagnostics::kineticEnergy,
+            &meltDiagnostics::potentialEnergy,
+            &meltDiagnostics::elasticEnergy
+        }
+    )
+    {
+        meltDiagnostics d;
+        d.*energy = std::numeric_limits<scalar>::quiet_NaN();
+        EXPECT_FALSE(d.finite());
+    }
 
     meltDiagnostics figures;
     figures.maxU = std::nan("");

@@ -109,7 +109,8 @@ TEST(InitialTemperature, refusesBadInputAndNamesTheEntry)
     expectMessage("type hot;", "uniform");
     expectMessage("value 300;", "type");
     expectMessage("type uniform;", "value");
-    expectMessage("type uniform; value 0;", "value");
+    expectMessage("type uniform; value -1;", "value");
+    EXPECT_EQ(temperature("type uniform; value 0;", point::zero), 0);
     expectMessage("type uniform; value nan;", "value");
     expectMessage("type linear; direction (0 1 0); T1 290;", "T2");
     expectMessage("type linear; T1 290; T2 300;", "point1");

@@ -75,6 +75,19 @@ TEST(Divergence, namesTheFarthestParticle)
 }
 
 
+TEST(Divergence, namesTheParticleWithoutDensity)
+{
+    for (const double rho : {-1.0, 0.0, std::numeric_limits<double>::quiet_NaN()})
+    {
+        particleCloud cloud(lump());
+        EXPECT_TRUE(densityIsPositive(cloud.fluid));
+        cloud.fluid.rho[31] = rho;
+        EXPECT_FALSE(densityIsPositive(cloud.fluid));
+        EXPECT_EQ(divergedParticle(cloud.fluid), 31);
+    }
+}
+
+
 TEST(Divergence, noParticles)
 {
     EXPECT_EQ(divergedParticle(particles()), -1);
