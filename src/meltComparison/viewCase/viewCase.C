@@ -74,7 +74,10 @@ Foam::melt::viewCase::viewCase
         pictures.lookupOrDefault<word>("representation", "surface")
     )
 {
-    rmDir(dir_);
+    if (isDir(dir_))
+    {
+        rmDir(dir_);
+    }
     mkDir(dir_/"system");
     ln(results.dir()/"constant", dir_/"constant");
     cp(results.dir()/"system"/"controlDict", dir_/"system"/"controlDict");
@@ -102,15 +105,13 @@ Foam::melt::viewCase::viewCase
     if (field_ == "T")
     {
         dictionary colours(look.subOrEmptyDict("colours"));
+        // At one temperature a kelvin around it
+        const scalar margin = range.mag() < 1e-3 ? 0.5 : 0;
         setDefault
         (
             colours,
             "range",
-            Pair<scalar>
-            (
-                range.min(),
-                range.mag() > 0 ? range.max() : range.min() + 1
-            )
+            Pair<scalar>(range.min() - margin, range.max() + margin)
         );
         look.set("colours", colours);
     }

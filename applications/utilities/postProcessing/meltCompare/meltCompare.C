@@ -147,6 +147,7 @@ scalarList lastCommonTime(const PtrList<caseResults>& cases)
 int main(int argc, char* argv[])
 {
     argList::addNote("Compare what methods make of the same case");
+    argList::noBanner();
     argList::noParallel();
     argList::addOption("methods", "names", "Clone and run the case by these");
     argList::addOption("cases", "dirs", "Cases that have run, in place of it");
