@@ -21,6 +21,55 @@ bool same(const Foam::scalar a, const Foam::scalar b)
 } // End anonymous namespace
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::wordList Foam::melt::caseResults::regions() const
+{
+    wordList names(1, polyMesh::defaultRegion);
+    const fileName constant(dir_/"constant");
+    for (const fileName& name : readDir(constant, fileName::DIRECTORY))
+    {
+        if (isDir(constant/name/polyMesh::meshSubDir))
+        {
+            names.append(name);
+        }
+    }
+    return names;
+}
+
+
+void Foam::melt::caseResults::findMelt(const word& region)
+{
+    mesh_.reset
+    (
+        new fvMesh
+        (
+            IOobject
+            (
+                region,
+                time_->timeName(),
+                *time_,
+                IOobject::MUST_READ
+            )
+        )
+    );
+
+    DynamicList<instant> times;
+    for (const instant& t : time_->times())
+    {
+        if (t.name() != time_->constant())
+        {
+            time_->setTime(t, 0);
+            if (meltParcels::found(*mesh_))
+            {
+                times.append(t);
+            }
+        }
+    }
+    times_.transfer(times);
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::melt::caseResults::caseResults(const fileName& caseDirectory)
@@ -52,40 +101,23 @@ Foam::melt::caseResults::caseResults(const fileName& caseDirectory)
             false
         )
     );
-    mesh_.reset
-    (
-        new fvMesh
-        (
-            IOobject
-            (
-                fvMesh::defaultRegion,
-                time_->timeName(),
-                *time_,
-                IOobject::MUST_READ
-            )
-        )
-    );
 
-    DynamicList<instant> times;
-    for (const instant& t : time_->times())
+    for (const word& region : regions())
     {
-        if (t.name() != time_->constant())
+        findMelt(region);
+        if (times_.size())
         {
-            time_->setTime(t, 0);
-            if (meltParcels::found(*mesh_))
-            {
-                times.append(t);
-            }
+            break;
         }
     }
-    times_.transfer(times);
 
     if (times_.empty())
     {
         FatalErrorInFunction
             << "Case " << dir_ << " has no melt at any time." << nl
-            << "Expected: <time>/lagrangian/melt or <time>/alpha.melt; parallel"
-            << " results have to be reconstructed (reconstructPar)"
+            << "Expected: <time>/lagrangian/melt or alpha.melt of one of the"
+            << " regions " << regions() << "; parallel results have to be"
+            << " reconstructed (reconstructPar)"
             << exit(FatalError);
     }
 }

@@ -76,7 +76,7 @@ Foam::fileNameList Foam::melt::caseRun::files() const
     const bool ownMesh = isFile(source_/"system"/"blockMeshDict");
     for (const fileName& file : all)
     {
-        if (!(ownMesh && file.path() == "constant/polyMesh"))
+        if (!(ownMesh && file.path().name() == "polyMesh"))
         {
             cloned.append(file);
         }

@@ -201,14 +201,14 @@ Foam::scalar Foam::melt::occupancyGrid::intersectionOverUnion
     const occupancyGrid& b
 )
 {
-    label nBoth = 0;
-    label nAny = 0;
+    scalar both = 0;
+    scalar any = 0;
     forAll(a.fraction_, celli)
     {
-        nBoth += a.occupied(celli) && b.occupied(celli);
-        nAny += a.occupied(celli) || b.occupied(celli);
+        both += min(a.fraction_[celli], b.fraction_[celli]);
+        any += max(a.fraction_[celli], b.fraction_[celli]);
     }
-    return nAny ? scalar(nBoth)/nAny : 1;
+    return any > 0 ? both/any : 1;
 }
 
 

@@ -15,13 +15,29 @@
 
 void Foam::melt::viewCase::writeCloud(const caseResults& results) const
 {
-    // Written where the mesh is, then moved here
-    const fvMesh& mesh = results.mesh();
+    // A cloud is in the mesh of the domain; written there, then moved here
+    const Time& time = results.mesh().time();
+    autoPtr<polyMesh> domain;
+    if (results.mesh().name() != polyMesh::defaultRegion)
+    {
+        domain.reset
+        (
+            new polyMesh
+            (
+                IOobject
+                (
+                    polyMesh::defaultRegion,
+                    time.timeName(),
+                    time,
+                    IOobject::MUST_READ
+                )
+            )
+        );
+    }
+    const polyMesh& mesh =
+        domain.valid() ? *domain : static_cast<const polyMesh&>(results.mesh());
     const meltParcels parcels(results.parcels());
-    const fileName cloudDir
-    (
-        mesh.time().timePath()/cloud::prefix/"melt"
-    );
+    const fileName cloudDir(time.timePath()/cloud::prefix/"melt");
 
     scalarField T, m;
     {
@@ -47,11 +63,11 @@ void Foam::melt::viewCase::writeCloud(const caseResults& results) const
         IOField<scalar>(fieldIO("rho"), scalarField(m.size(), 1)).write();
     }
 
-    const fileName target(dir_/mesh.time().timeName()/cloud::prefix/"melt");
+    const fileName target(dir_/time.timeName()/cloud::prefix/"melt");
     mkDir(target.path());
     mv(cloudDir, target);
     rmDir(cloudDir.path());
-    rmDir(mesh.time().timePath()/"uniform"/cloud::prefix);
+    rmDir(time.timePath()/"uniform"/cloud::prefix);
 }
 
 

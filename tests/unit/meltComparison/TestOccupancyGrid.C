@@ -151,7 +151,8 @@ TEST(OccupancyGrid, disorderedParticlesAreOccupiedWithoutHoles)
     const occupancyGrid a(order, bounds, 0.1);
     const occupancyGrid b(disorder, bounds, 0.1);
 
-    EXPECT_GT(occupancyGrid::intersectionOverUnion(a, b), 0.93);
+    // Displaced by up to 0.4 of a spacing: clipped where they overlap
+    EXPECT_GT(occupancyGrid::intersectionOverUnion(a, b), 0.86);
     const triSurface surface(b.surface());
     for (const point& p : surface.points())
     {
@@ -162,8 +163,7 @@ TEST(OccupancyGrid, disorderedParticlesAreOccupiedWithoutHoles)
 
 TEST(OccupancyGrid, intersectionOverUnionOfShiftedBoxes)
 {
-    // Boxes of 20 x 20 x 20 cells, one shifted by 5: 3/4 over 5/4; corners
-    // change it by 16 of 10000 cells at most
+    // Boxes of 20 x 20 x 20 cells, one shifted by 5: 3/4 over 5/4
     const meltParcels a(boxOfCubes(point(0, 0, 0), point(1, 1, 1), 0.05));
     const meltParcels b(boxOfCubes(point(0.25, 0, 0), point(1.25, 1, 1), 0.05));
     boundBox bounds(a.bounds());
@@ -173,7 +173,7 @@ TEST(OccupancyGrid, intersectionOverUnionOfShiftedBoxes)
 
     EXPECT_NEAR
     (
-        occupancyGrid::intersectionOverUnion(gridA, gridB), 0.6, 0.0016
+        occupancyGrid::intersectionOverUnion(gridA, gridB), 0.6, 1e-9
     );
     EXPECT_EQ(occupancyGrid::intersectionOverUnion(gridA, gridA), 1);
 

@@ -269,7 +269,13 @@ int main(int argc, char* argv[])
     report.writeHtml();
     report.writeSummary(Info);
 
-    return report.holds() ? 0 : 2;
+    if (!report.holds())
+    {
+        // A value returned from here is lost: the end of argList exits with 0
+        UPstream::exit(2);
+    }
+
+    return 0;
 }
 
 
