@@ -28,6 +28,7 @@ Usage
 #include "profiling.H"
 #include "runLog.H"
 #include "sigFpe.H"
+#include "stepShares.H"
 
 using namespace Foam;
 using namespace Foam::melt;
@@ -77,6 +78,7 @@ int main(int argc, char* argv[])
     }
 
     const meltScene scene(mesh, resolution);
+    scene.effects().report(Info);
 
     autoPtr<meltMethod> method
     (
@@ -104,7 +106,7 @@ int main(int argc, char* argv[])
         const scalar deltaT = runTime.advance(method->maxDeltaT());
 
         {
-            addProfiling(advance, "meltMethod::advance");
+            addProfiling(advance, stepShares::step);
             method->advance(deltaT);
         }
 
@@ -115,6 +117,9 @@ int main(int argc, char* argv[])
             runTime.writeChecked(write);
         }
     }
+
+    log.end();
+    stepShares::print(Info);
 
     Info<< "End" << nl << endl;
 

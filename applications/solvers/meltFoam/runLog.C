@@ -164,4 +164,14 @@ void Foam::melt::runLog::step()
 }
 
 
+void Foam::melt::runLog::end()
+{
+    if (!time_.writeTime())
+    {
+        record_.write();
+    }
+    record_.print();
+}
+
+
 // ************************************************************************* //

@@ -29,6 +29,17 @@ Foam::scalar peakMemory()
 } // End anonymous namespace
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::melt::runRecord::cpuTime() const
+{
+    return returnReduce
+    (
+        fileObr_.time().elapsedCpuTime() - startCpu_, sumOp<scalar>()
+    );
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::melt::runRecord::runRecord
@@ -46,7 +57,8 @@ Foam::melt::runRecord::runRecord
     ),
     method_(method),
     startClock_(clockValue::now()),
-    startCpu_(scene.mesh().time().elapsedCpuTime())
+    startCpu_(scene.mesh().time().elapsedCpuTime()),
+    startIndex_(scene.mesh().time().timeIndex())
 {
     if (writeToFile_)
     {
@@ -57,7 +69,14 @@ Foam::melt::runRecord::runRecord
             << "; ranks " << Pstream::nProcs() << ';' << nl
             << "# time[s]" << tab << "steps[-]" << tab << "particles[-]"
             << tab << "particleSteps[-]" << tab << "wallTime[s]"
-            << tab << "cpuTime[s]" << tab << "peakMemory[MB]" << endl;
+            << tab << "cpuTime[s]" << tab << "peakMemory[MB]";
+
+        const auto counts = method.operationCounts();
+        for (label i = 1; i < counts.size(); ++i)
+        {
+            file() << tab << counts[i].first() << "[-]";
+        }
+        file() << endl;
     }
 }
 
@@ -68,19 +87,43 @@ void Foam::melt::runRecord::write()
 {
     const Time& time = fileObr_.time();
     const label nParticles = method_.nParticles();
-    const scalar particleSteps = method_.particleSteps();
-    const scalar cpuTime =
-        returnReduce(time.elapsedCpuTime() - startCpu_, sumOp<scalar>());
+    const List<Tuple2<word, scalar>> counts(method_.operationCounts());
+    const scalar cpu = cpuTime();
     const scalar memory = returnReduce(peakMemory(), sumOp<scalar>());
 
     if (writeToFile_)
     {
         file()
             << time.value() << tab << time.timeIndex() << tab << nParticles
-            << tab << particleSteps
+            << tab << counts[0].second()
             << tab << scalar(clockValue::now()) - startClock_
-            << tab << cpuTime << tab << memory << endl;
+            << tab << cpu << tab << memory;
+
+        for (label i = 1; i < counts.size(); ++i)
+        {
+            file() << tab << counts[i].second();
+        }
+        file() << endl;
     }
+}
+
+
+void Foam::melt::runRecord::print() const
+{
+    const scalar cpu = cpuTime();
+    const scalar memory = returnReduce(peakMemory(), sumOp<scalar>());
+
+    Info<< "Cost: " << fileObr_.time().timeIndex() - startIndex_ << " steps";
+
+    for (const auto& count : method_.operationCounts())
+    {
+        Info<< ", " << count.first() << ' ' << count.second();
+    }
+
+    Info<< nl << "     CPU " << cpu << " s, wall "
+        << scalar(clockValue::now()) - startClock_ << " s, peak memory "
+        << memory << " MB, threads " << omp_get_max_threads()
+        << ", ranks " << Pstream::nProcs() << nl << endl;
 }
 
 

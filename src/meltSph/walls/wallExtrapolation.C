@@ -16,6 +16,8 @@ void Foam::melt::wallExtrapolation
     wallState& walls
 )
 {
+    near.countPass(near.fluidOfWalls());
+
     near.kernel().visit([&](const auto& W)
     {
         const int n = near.fluidOfWalls().empty() ? 0 : int(walls.size());

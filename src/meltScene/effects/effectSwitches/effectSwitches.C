@@ -5,61 +5,37 @@
 \*---------------------------------------------------------------------------*/
 
 #include "effectSwitches.H"
-#include "meltScene.H"
+#include "dictionary.H"
+#include "Switch.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+#include <iomanip>
+#include <sstream>
 
-namespace
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+const Foam::melt::effectSwitches::effect*
+Foam::melt::effectSwitches::find(const word& name) const
 {
-
-using Foam::melt::meltScene;
-
-//- An effect and when it is on if it is auto
-struct effect
-{
-    const char* name;
-
-    bool (*needed)(const meltScene&);
-};
-
-
-const effect effects[] =
-{
+    for (const effect& e : effects_)
     {
-        "artificialViscosity",
-        [](const meltScene&) { return true; }
-    },
-    {
-        "generalisedNewtonian",
-        [](const meltScene& s) { return s.rheology().shearRateDependent(); }
-    },
-    {
-        "heatConduction",
-        [](const meltScene& s)
+        if (e.name == name)
         {
-            const auto range = s.TRange();
-            return range.max() > range.min();
+            return &e;
         }
-    },
-    {
-        "XSPH",
-        [](const meltScene&) { return true; }
     }
-};
-
-
-Foam::wordList effectNames()
-{
-    Foam::DynamicList<Foam::word> names;
-    for (const effect& e : effects)
-    {
-        names.append(e.name);
-    }
-
-    return Foam::wordList(names);
+    return nullptr;
 }
 
-} // End anonymous namespace
+
+Foam::wordList Foam::melt::effectSwitches::names() const
+{
+    DynamicList<word> list;
+    for (const effect& e : effects_)
+    {
+        list.append(e.name);
+    }
+    return wordList(list);
+}
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -70,28 +46,35 @@ Foam::melt::effectSwitches::effectSwitches
     const meltScene& scene
 )
 {
-    for (const effect& e : effects)
+    for (const effectRules::rule& rule : effectRules::all())
     {
-        const word choice(dict.lookupOrDefault<word>(e.name, "auto"));
+        const word choice(dict.lookupOrDefault<word>(rule.name, "auto"));
         const Switch value(choice, true);
 
         if (choice != "auto" && !value.valid())
         {
-            FatalIOErrorInFunction(dict.lookup(e.name))
-                << "Effect " << e.name << " is " << choice
+            FatalIOErrorInFunction(dict.lookup(rule.name))
+                << "Effect " << rule.name << " is " << choice
                 << ", accepted: on, off, auto" << exit(FatalIOError);
         }
 
-        on_.set(e.name, choice == "auto" ? e.needed(scene) : bool(value));
+        const effectRules::verdict verdict(rule.judge(scene));
+        effects_.append
+        ({
+            rule.name,
+            choice == "auto" ? verdict.needed : bool(value),
+            choice == "auto",
+            verdict
+        });
     }
 
     for (const word& name : dict.toc())
     {
-        if (!on_.found(name))
+        if (!find(name))
         {
             FatalIOErrorInFunction(dict.lookup(name))
                 << "Unknown effect " << name << nl
-                << "Valid effects: " << effectNames() << exit(FatalIOError);
+                << "Valid effects: " << names() << exit(FatalIOError);
         }
     }
 }
@@ -99,22 +82,72 @@ Foam::melt::effectSwitches::effectSwitches
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::melt::effectSwitches::operator()(const word& effect) const
+bool Foam::melt::effectSwitches::off
+(
+    const dictionary& dict,
+    const word& effect
+)
 {
-    if (!on_.found(effect))
+    const Switch value(dict.lookupOrDefault<word>(effect, "auto"), true);
+    return value.valid() && !value;
+}
+
+
+bool Foam::melt::effectSwitches::operator()(const word& name) const
+{
+    const effect* e = find(name);
+
+    if (!e)
     {
         FatalErrorInFunction
-            << "Unknown effect " << effect << nl
-            << "Valid effects: " << effectNames() << exit(FatalError);
+            << "Unknown effect " << name << nl
+            << "Valid effects: " << names() << exit(FatalError);
     }
 
-    return on_[effect];
+    return e->on;
 }
 
 
 Foam::wordList Foam::melt::effectSwitches::active() const
 {
-    return on_.tocValues([](const bool on) { return on; });
+    DynamicList<word> list;
+    for (const effect& e : effects_)
+    {
+        if (e.on)
+        {
+            list.append(e.name);
+        }
+    }
+    return wordList(list);
+}
+
+
+void Foam::melt::effectSwitches::report(Ostream& os) const
+{
+    std::ostringstream table;
+    table << std::left;
+
+    for (const effect& e : effects_)
+    {
+        table
+            << "    " << std::setw(22) << e.name
+            << std::setw(4) << (e.on ? "on" : "off")
+            << std::setw(6) << (e.automatic ? "auto" : "given")
+            << std::setw(26) << e.verdict.number << e.verdict.why << '\n';
+    }
+
+    os  << "Effects" << nl << table.str().c_str();
+
+    for (const effect& e : effects_)
+    {
+        if (e.verdict.needed && !e.on)
+        {
+            os  << "Warning: " << e.name << " is off, but "
+                << e.verdict.why.c_str() << " (" << e.verdict.number.c_str()
+                << "). The result lacks it." << nl;
+        }
+    }
+    os  << endl;
 }
 
 

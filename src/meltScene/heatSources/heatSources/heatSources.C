@@ -5,12 +5,22 @@
 \*---------------------------------------------------------------------------*/
 
 #include "heatSources.H"
+#include "effectSwitches.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::dictionary Foam::melt::heatSources::given() const
+{
+    return
+        effectSwitches::off(dict_.subOrEmptyDict("effects"), "heatSources")
+      ? dictionary()
+      : dict_.subOrEmptyDict("heatSources");
+}
+
+
 void Foam::melt::heatSources::make()
 {
-    const dictionary& sources = dict_.subOrEmptyDict("heatSources");
+    const dictionary sources(given());
     const wordList names(sources.toc());
 
     clear();
@@ -37,7 +47,7 @@ Foam::melt::heatSources::heatSources(const dictionary& meltProperties)
 
 bool Foam::melt::heatSources::update()
 {
-    if (dict_.subOrEmptyDict("heatSources").digest() == digest_)
+    if (given().digest() == digest_)
     {
         return false;
     }

@@ -145,6 +145,26 @@ void Foam::melt::meltScene::setTemperatures()
 }
 
 
+void Foam::melt::meltScene::applyEffects()
+{
+    if (!effects()("latentHeat"))
+    {
+        thermo_.omitLatentHeat();
+    }
+    if (!effects()("phaseChange"))
+    {
+        scalar sum = 0;
+        label n = 0;
+        for (const scalarField& T : T_)
+        {
+            sum += Foam::sum(T);
+            n += T.size();
+        }
+        thermo_.keepPhase(sum/n > thermo_.enthalpy().solidus);
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::melt::meltScene::meltScene
@@ -221,6 +241,7 @@ Foam::melt::meltScene::meltScene
     setTemperatures();
 
     effects_.reset(new effectSwitches(dict_.subOrEmptyDict("effects"), *this));
+    applyEffects();
 }
 
 

@@ -383,7 +383,6 @@ void Foam::melt::sphMethod::advance(const scalar deltaT)
         mag(system_.heatReceived);
     system_.heatReceived = 0;
     particleSteps_ += system_.fluid.size();
-    pairVisits_ += system_.near.fluid().nPairs();
 }
 
 
@@ -420,6 +419,19 @@ Foam::label Foam::melt::sphMethod::nParticles() const
 Foam::scalar Foam::melt::sphMethod::particleSteps() const
 {
     return particleSteps_;
+}
+
+
+Foam::List<Foam::Tuple2<Foam::word, Foam::scalar>>
+Foam::melt::sphMethod::operationCounts() const
+{
+    return
+    {
+        {"particleSteps", particleSteps_},
+        {"pairVisits", scalar(system_.near.pairVisits())},
+        {"listBuilds", scalar(system_.near.nBuilds())},
+        {"solverIterations", scheme_->solverIterations()}
+    };
 }
 
 // ************************************************************************* //

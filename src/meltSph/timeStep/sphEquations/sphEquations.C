@@ -6,6 +6,7 @@
 
 #include "sphEquations.H"
 #include "blockSum.H"
+#include "profiling.H"
 #include "velocityGradient.H"
 #include "wallExtrapolation.H"
 
@@ -24,6 +25,8 @@ Foam::melt::sphEquations::sphEquations
     {
         terms_.append(rateTerm::New(dict.subDict(role), system_));
     };
+
+    system_.generalisedNewtonian = effects("generalisedNewtonian");
 
     add("pressure");
     add("viscosity");
@@ -80,14 +83,23 @@ void Foam::melt::sphEquations::evaluate()
 
     for (rateTerm& term : terms_)
     {
+        addProfiling(preparation, term.type());
         term.prepare();
     }
-    wallExtrapolation(system_.near, f, system_.g, system_.walls);
-    velocityGradient(system_.near, system_.walls, f, system_.deformation);
+    {
+        addProfiling(walls, "wallExtrapolation");
+        wallExtrapolation(system_.near, f, system_.g, system_.walls);
+    }
+    {
+        addProfiling(gradient, "velocityGradient");
+        velocityGradient(system_.near, system_.walls, f, system_.deformation);
+    }
     for (rateTerm& term : terms_)
     {
+        addProfiling(rates, term.type());
         term.addRates();
     }
+    addProfiling(pairs, "pairRates");
     system_.heatFromWalls = system_.pairs.add(system_.near, system_.walls, f);
 }
 
@@ -103,6 +115,17 @@ void Foam::melt::sphEquations::setDensityRate()
     {
         velocityGradient(system_.near, system_.walls, system_.fluid, false);
     }
+}
+
+
+Foam::scalar Foam::melt::sphEquations::solverIterations() const
+{
+    scalar iterations = solver_.iterations();
+    for (const rateTerm& term : terms_)
+    {
+        iterations += term.solverIterations();
+    }
+    return iterations;
 }
 
 

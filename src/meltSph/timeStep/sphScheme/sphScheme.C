@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sphScheme.H"
+#include "profiling.H"
 
 namespace Foam
 {
@@ -84,6 +85,7 @@ void Foam::melt::sphScheme::updateNeighbours(const scalar longestWay)
 {
     if (system_.near.outdated(longestWay))
     {
+        addProfiling(lists, "neighbourhood");
         system_.near.build(system_.fluid, system_.walls);
     }
 }

@@ -29,7 +29,8 @@ inline double magnitude(const Foam::melt::particles& f, const int i)
 void Foam::melt::setViscosityAndStress
 (
     const rheologyModel& rheology,
-    particles& f
+    particles& f,
+    const bool shearRates
 )
 {
     constexpr int blockSize = 1024;
@@ -39,9 +40,9 @@ void Foam::melt::setViscosityAndStress
     for (int first = 0; first < n; first += blockSize)
     {
         const int last = std::min(n, first + blockSize);
-        double shearRate[blockSize];
+        double shearRate[blockSize] = {};
 
-        for (int i = first; i < last; ++i)
+        for (int i = first; shearRates && i < last; ++i)
         {
             shearRate[i - first] = magnitude(f, i);
         }

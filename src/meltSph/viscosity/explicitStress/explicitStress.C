@@ -46,7 +46,10 @@ void Foam::melt::explicitStress::allocate()
 
 void Foam::melt::explicitStress::addRates()
 {
-    setViscosityAndStress(system_.rheology, system_.fluid);
+    setViscosityAndStress
+    (
+        system_.rheology, system_.fluid, system_.generalisedNewtonian
+    );
 }
 
 

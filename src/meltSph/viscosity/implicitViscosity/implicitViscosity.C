@@ -45,7 +45,10 @@ void Foam::melt::implicitViscosity::allocate()
 
 void Foam::melt::implicitViscosity::addRates()
 {
-    setViscosityAndStress(system_.rheology, system_.fluid);
+    setViscosityAndStress
+    (
+        system_.rheology, system_.fluid, system_.generalisedNewtonian
+    );
 }
 
 // ************************************************************************* //

@@ -210,6 +210,7 @@ void Foam::melt::voxelConduction::conduct(voxelGrid& grid, const double dt)
     for (const int index : bricks)
     {
         voxelBrick& b = grid.own(index);
+        updates_ += visit[index] ? b.nLiquid + b.nSolid : 0;
         b.changed = b.changed || visit[index] == 2;
         b.conducting = false;
     }

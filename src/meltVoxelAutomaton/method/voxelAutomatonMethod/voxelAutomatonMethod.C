@@ -8,6 +8,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "checkedEntry.H"
 #include "fvMesh.H"
+#include "profiling.H"
 #include "Time.H"
 #include "voxelFiles.H"
 #include "voxelFill.H"
@@ -169,9 +170,13 @@ void Foam::melt::voxelAutomatonMethod::exchangeHeat()
     const scalar start = mesh_.time().value() - heatTime_;
     for (label i = 0; i < n; ++i)
     {
-        heating_->heat(grid_, start + (i + 0.5)*dt, dt);
+        {
+            addProfiling(sources, "heatSources");
+            heating_->heat(grid_, start + (i + 0.5)*dt, dt);
+        }
         if (conduction_)
         {
+            addProfiling(conduction, "heatConduction");
             conduction_->conduct(grid_, dt);
         }
     }
@@ -375,10 +380,17 @@ void Foam::melt::voxelAutomatonMethod::advance(const scalar deltaT)
     }
     else
     {
-        lubrication_.spread(grid_, deltaT);
+        {
+            addProfiling(spreading, "lubricationRule");
+            lubrication_.spread(grid_, deltaT);
+        }
+        addProfiling(falling, "gravityRule");
         gravity_.fall(grid_, deltaT);
     }
-    loose_.fall(grid_, deltaT);
+    {
+        addProfiling(pieces, "looseSolids");
+        loose_.fall(grid_, deltaT);
+    }
     if (vents_.active())
     {
         vents_.flow(grid_, mesh_.time().value(), deltaT);
@@ -412,6 +424,17 @@ Foam::label Foam::melt::voxelAutomatonMethod::nParticles() const
 Foam::scalar Foam::melt::voxelAutomatonMethod::particleSteps() const
 {
     return particleSteps_;
+}
+
+
+Foam::List<Foam::Tuple2<Foam::word, Foam::scalar>>
+Foam::melt::voxelAutomatonMethod::operationCounts() const
+{
+    return
+    {
+        {"particleSteps", particleSteps_},
+        {"heatUpdates", conduction_ ? scalar(conduction_->updates()) : 0}
+    };
 }
 
 // ************************************************************************* //

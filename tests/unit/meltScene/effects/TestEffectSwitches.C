@@ -4,6 +4,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
+#include "heatSources.H"
 #include "meltScene.H"
 #include "meltScene/scene/sceneCase.H"
 #include "meltUnitTests.H"
@@ -83,6 +84,154 @@ TEST(EffectSwitches, mayBeForced)
         effects(files, "XSPH off; heatConduction on;").active()
     );
     EXPECT_EQ(active, wordList({"artificialViscosity", "heatConduction"}));
+    EXPECT_TRUE(effects(files, "phaseChange on;")("phaseChange"));
+}
+
+
+TEST(EffectSwitches, heatSourcesAreOnIfThereAreAny)
+{
+    sceneCase files;
+    EXPECT_FALSE(effects(files, "")("heatSources"));
+
+    const std::string lamp =
+        "heatSources { lamp { type pointSource; position (0 0 0.9);"
+        " power 10; } }";
+    files.setMaterial(sceneCase::material() + lamp);
+    {
+        const meltScene scene(files.mesh(), 0.1);
+        EXPECT_TRUE(scene.effects()("heatSources"));
+        EXPECT_TRUE(scene.effects()("heatConduction"));
+        EXPECT_TRUE(scene.effects()("phaseChange"));
+        EXPECT_EQ(heatSources(scene.dict()).size(), 1);
+    }
+
+    files.setMaterial
+    (
+        sceneCase::material() + lamp + "effects { heatSources off; }"
+    );
+    const meltScene scene(files.mesh(), 0.1);
+    EXPECT_EQ(heatSources(scene.dict()).size(), 0);
+}
+
+
+TEST(EffectSwitches, phaseChangeIsOnIfTheSceneCrossesTheMeltingRange)
+{
+    // The melting range is 330 K, the cube has 300 K
+    sceneCase files;
+    const std::string two = "kappa 1; kappaLiquid 3; liquidus 340;";
+
+    const auto conductivities = [&](const char* T, const char* choice)
+    {
+        files.setMaterial
+        (
+            sceneCase::material(two) + "effects { " + choice + " }"
+        );
+        files.setBoundary
+        (
+            "T", std::string("\".*\" { type fixedValue; value uniform ")
+          + T + "; }"
+        );
+        const meltScene scene(files.mesh(), 0.1);
+        return std::make_pair
+        (
+            scene.thermo().kappaSolid(), scene.thermo().kappaLiquid()
+        );
+    };
+    using pair = std::pair<scalar, scalar>;
+
+    EXPECT_EQ(conductivities("330", ""), pair(1, 1));
+    EXPECT_EQ(conductivities("331", ""), pair(1, 3));
+    EXPECT_EQ(conductivities("331", "phaseChange off;"), pair(1, 1));
+    EXPECT_EQ(conductivities("330", "phaseChange on;"), pair(1, 3));
+
+    files.setBoundary("T", "\".*\" { type zeroGradient; }");
+    files.set
+    (
+        "constant/meltProperties",
+        "shapes { " + sceneCase::box
+        (
+            "cube", "(0.3 0.3 0)", "(0.7 0.7 0.4)",
+            "{ type uniform; value 340; }"
+        ) + "}" + sceneCase::material(two)
+    );
+    const meltScene liquid(files.mesh(), 0.1);
+    EXPECT_FALSE(liquid.effects()("phaseChange"));
+    EXPECT_EQ(liquid.thermo().kappaSolid(), 3);
+}
+
+
+TEST(EffectSwitches, latentHeatIsOnIfTheMaterialHasIt)
+{
+    sceneCase files;
+    EXPECT_FALSE(effects(files, "")("latentHeat"));
+
+    const std::string L = sceneCase::material("latentHeat 1e5;");
+    files.setMaterial(L);
+    EXPECT_EQ
+    (
+        meltScene(files.mesh(), 0.1).thermo().enthalpy().latentHeat, 1e5
+    );
+    files.setMaterial(L + "effects { latentHeat off; }");
+    EXPECT_EQ
+    (
+        meltScene(files.mesh(), 0.1).thermo().enthalpy().latentHeat, 0
+    );
+}
+
+
+TEST(EffectSwitches, numbersAreThoseOfTheScene)
+{
+    sceneCase files;
+    files.setMaterial
+    (
+        "material { thermo { rho 500; Cp 2000; CpLiquid 1000; kappa 2;"
+        " solidus 310; latentHeat 8e4; TMin 280; TMax 400; }"
+        " rheology { type Newtonian; eta 10; } }"
+    );
+    files.setBoundary("T", "\".*\" { type fixedValue; value uniform 340; }");
+    const meltScene scene(files.mesh(), 0.1);
+
+    const scalar t = files.mesh().time().endTime().value();
+    const auto number = [&](const word& name)
+    {
+        for (const effectRules::rule& rule : effectRules::all())
+        {
+            if (rule.name == name)
+            {
+                const string text(rule.judge(scene).number);
+                return atof(text.substr(text.find('=') + 1).c_str());
+            }
+        }
+        return -1.0;
+    };
+    EXPECT_NEAR(number("heatConduction"), 2/(500*1000.0)*t/0.16, 1e-5*t);
+    EXPECT_NEAR(number("latentHeat"), 2000*40/8e4, 1e-4);
+    EXPECT_NEAR(number("phaseChange"), 0.25, 1e-4);
+    EXPECT_NEAR(number("generalisedNewtonian"), 1, 1e-4);
+    EXPECT_NEAR
+    (
+        number("artificialViscosity"), 500*std::sqrt(9.81*0.4)*0.4/10, 0.01
+    );
+}
+
+
+TEST(EffectSwitches, warnOfWhatIsOffThoughNeeded)
+{
+    sceneCase files;
+    files.setBoundary("T", "\".*\" { type fixedValue; value uniform 301; }");
+
+    const auto report = [&](const char* choice)
+    {
+        OStringStream os;
+        effects(files, choice).report(os);
+        return std::string(os.str());
+    };
+    EXPECT_EQ(report("").find("Warning"), std::string::npos);
+    EXPECT_NE
+    (
+        report("heatConduction off;").find("Warning: heatConduction is off"),
+        std::string::npos
+    );
 }
 
 

@@ -114,6 +114,21 @@ TEST(ApparentViscosity, shearRateOfKnownFlows)
 }
 
 
+TEST(ApparentViscosity, withoutShearRatesIsThatAtRest)
+{
+    const auto law = rheology(viscoplastic);
+    particleCloud cloud = deformed();
+    const scalar rest = 0;
+    setViscosityAndStress(*law, cloud.fluid, false);
+    for (int i = 0; i < cloud.size(); ++i)
+    {
+        scalar eta = 0;
+        law->eta(1, &rest, &cloud.fluid.T[i], &eta);
+        ASSERT_NEAR(cloud.fluid.eta[i]/eta, 1, 1e-12);
+    }
+}
+
+
 TEST(ApparentViscosity, meltAtRestHasNoStress)
 {
     const auto law = rheology(viscoplastic);

@@ -1,0 +1,206 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "effectRules.H"
+#include "fvMesh.H"
+#include "meltScene.H"
+#include "shape.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+using melt::effectRules::rule;
+using melt::effectRules::verdict;
+using melt::meltScene;
+
+//- "name = value"
+string number(const char* name, const scalar value)
+{
+    OStringStream os;
+    os  << name << " = " << value;
+    return os.str();
+}
+
+
+//- Least extent of a shape [m]
+scalar extent(const meltScene& scene)
+{
+    scalar H = GREAT;
+    for (const melt::shape& s : scene.shapes())
+    {
+        H = min(H, cmptMin(s.bounds().span()));
+    }
+    return max(H, VSMALL);
+}
+
+
+//- Shear rate that gravity causes [1/s]
+scalar shearRate(const meltScene& scene)
+{
+    return std::sqrt(mag(scene.g())/extent(scene));
+}
+
+
+//- Viscosity at the highest temperature [Pa s]
+scalar hotViscosity(const meltScene& scene, const scalar shearRate)
+{
+    const scalar T = scene.TRange().max();
+    scalar eta = 0;
+    scene.rheology().eta(1, &shearRate, &T, &eta);
+    return max(eta, VSMALL);
+}
+
+
+label nSources(const meltScene& scene)
+{
+    return scene.dict().subOrEmptyDict("heatSources").size();
+}
+
+
+verdict artificialViscosity(const meltScene& scene)
+{
+    const scalar rate = shearRate(scene);
+    return
+    {
+        true,
+        "damps sound; the method has its coefficients",
+        number
+        (
+            "Re",
+            scene.thermo().rho()*rate*sqr(extent(scene))
+           /hotViscosity(scene, rate)
+        )
+    };
+}
+
+
+verdict generalisedNewtonian(const meltScene& scene)
+{
+    const bool needed = scene.rheology().shearRateDependent();
+    return
+    {
+        needed,
+        needed
+      ? "the viscosity depends on the shear rate"
+      : "the viscosity does not depend on the shear rate",
+        number
+        (
+            "eta(0)/eta(g)",
+            hotViscosity(scene, 0)/hotViscosity(scene, shearRate(scene))
+        )
+    };
+}
+
+
+verdict heatConduction(const meltScene& scene)
+{
+    const melt::meltThermo& thermo = scene.thermo();
+    const scalarMinMax T(scene.TRange());
+    const scalar diffusivity = max
+    (
+        thermo.kappaSolid()/thermo.enthalpy().CpSolid,
+        thermo.kappaLiquid()/thermo.enthalpy().CpLiquid
+    )/thermo.rho();
+
+    return
+    {
+        T.max() > T.min() || nSources(scene),
+        T.max() > T.min() ? "temperatures differ"
+      : nSources(scene) ? "heat comes in"
+      : "one temperature, no source of heat",
+        number
+        (
+            "Fo",
+            diffusivity*scene.mesh().time().endTime().value()
+           /sqr(extent(scene))
+        )
+    };
+}
+
+
+verdict heatSources(const meltScene& scene)
+{
+    const label n = nSources(scene);
+    return
+    {
+        n > 0,
+        n ? "the scene has them" : "the scene has none",
+        n ? number("sources", n) : "-"
+    };
+}
+
+
+verdict latentHeat(const meltScene& scene)
+{
+    const melt::enthalpyCurve& curve = scene.thermo().enthalpy();
+    const scalarMinMax T(scene.TRange());
+    const bool needed = curve.latentHeat > 0;
+    return
+    {
+        needed,
+        needed ? "the material has it" : "the material has none",
+        needed
+      ? number("Ste", curve.CpSolid*(T.max() - T.min())/curve.latentHeat)
+      : "-"
+    };
+}
+
+
+verdict phaseChange(const meltScene& scene)
+{
+    const melt::enthalpyCurve& curve = scene.thermo().enthalpy();
+    const scalarMinMax T(scene.TRange());
+    const bool solid = T.max() <= curve.solidus && !nSources(scene);
+    const bool liquid = T.min() >= curve.liquidus && !nSources(scene);
+    return
+    {
+        !solid && !liquid,
+        liquid ? "all is liquid and stays so"
+      : solid ? "all is solid and stays so"
+      : "something can melt or freeze",
+        T.max() > T.min()
+      ? number("theta", (curve.solidus - T.min())/(T.max() - T.min()))
+      : "-"
+    };
+}
+
+
+verdict XSPH(const meltScene&)
+{
+    return {true, "keeps particles in order; the method has its coefficient", "-"};
+}
+
+
+rule rules[] =
+{
+    {"artificialViscosity", artificialViscosity},
+    {"generalisedNewtonian", generalisedNewtonian},
+    {"heatConduction", heatConduction},
+    {"heatSources", heatSources},
+    {"latentHeat", latentHeat},
+    {"phaseChange", phaseChange},
+    {"XSPH", XSPH}
+};
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+const Foam::UList<Foam::melt::effectRules::rule>&
+Foam::melt::effectRules::all()
+{
+    static const UList<rule> list(rules, sizeof(rules)/sizeof(rule));
+    return list;
+}
+
+
+// ************************************************************************* //
