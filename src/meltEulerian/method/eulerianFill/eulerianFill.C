@@ -16,8 +16,8 @@ namespace
 using namespace Foam;
 using namespace Foam::melt;
 
-// Points along an edge of a cell at the surface
-const label perEdge = 6;
+// Points along an edge of a cell at the surface, of plane and of other scenes
+const label perEdgeInPlane = 8, perEdge = 4;
 
 //- Share of each cell that is inside a shape
 scalarField shares(const shape& body, const eulerianMesh& mesh)
@@ -66,10 +66,12 @@ scalarField shares(const shape& body, const eulerianMesh& mesh)
         }
     }
 
+    const bool inPlane = fv.nSolutionD() < 3;
     staggeredGrid::triple m;
     for (int a = 0; a < 3; ++a)
     {
-        m[a] = mesh.grid().solved(a) ? perEdge : 1;
+        m[a] =
+            !mesh.grid().solved(a) ? 1 : inPlane ? perEdgeInPlane : perEdge;
     }
     const label perCell = m[0]*m[1]*m[2];
     pointField points(mixed.size()*perCell);

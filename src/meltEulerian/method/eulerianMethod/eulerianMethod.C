@@ -75,7 +75,7 @@ Foam::melt::meltFlow::controls Foam::melt::eulerianMethod::flowControls
     c.solver.maxIterations =
         int(number(dict, "maxIterations", atLeastOne, 1000));
     c.solver.directUnknowns =
-        int(number(dict, "directUnknowns", scalarMinMax(0, 1e9), 20000));
+        int(number(dict, "directUnknowns", scalarMinMax(0, 1e9), 8000));
     c.viscosityTolerance = number(dict, "viscosityTolerance", share, 1e-4);
     c.maxSweeps = int(number(dict, "maxSweeps", atLeastOne, 20));
     c.wetFrom = number(dict, "wetFrom", checkedEntry::positiveUpTo(0.5), 1e-3);

@@ -113,8 +113,8 @@ public:
 bool Foam::melt::saddleSolver::direct(const system& s, vector& u, vector& p)
 {
     const Eigen::Index nu = s.f.size(), np = s.g.size();
-    history_.clear();
     method_ = "direct";
+    int refinements = 0;
 
     // Lower triangle
     std::vector<Eigen::Triplet<double>> entries;
@@ -163,7 +163,7 @@ bool Foam::melt::saddleSolver::direct(const system& s, vector& u, vector& p)
     (
         last > controls_.tolerance
      && last < 0.5*before
-     && int(history_.size()) < maxRefinements
+     && refinements++ < maxRefinements
     )
     {
         r << ru, rp;
@@ -192,7 +192,6 @@ bool Foam::melt::saddleSolver::direct(const system& s, vector& u, vector& p)
 
 bool Foam::melt::saddleSolver::iterate(const system& s, vector& u, vector& p)
 {
-    history_.clear();
     method_ = "MINRES";
     const preconditioner P(s);
     if (!P.good())
@@ -269,6 +268,7 @@ bool Foam::melt::saddleSolver::iterate(const system& s, vector& u, vector& p)
 
 bool Foam::melt::saddleSolver::solve(const system& s, vector& u, vector& p)
 {
+    history_.clear();
     return
         (
             s.f.size() + s.g.size() > controls_.directUnknowns
