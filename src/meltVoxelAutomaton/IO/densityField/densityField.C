@@ -15,6 +15,10 @@ namespace
 
 using namespace Foam::melt;
 
+// Mass that fits into a voxel and into 1/256 of it
+constexpr float wholeRoom = voxelMaterial::full;
+constexpr float rockUnit = wholeRoom/256;
+
 // A brick and one layer around it, and the steps between voxels in it
 constexpr int side = 10;
 constexpr int size = side*side*side;
@@ -51,7 +55,7 @@ void forBricksAround
 //- Filter along an axis; of the outermost layers nothing is needed
 void smooth(float* field, const int s)
 {
-    static thread_local float result[size];
+    float result[size];
     #pragma omp simd
     for (int i = s; i < size - s; ++i)
     {
@@ -84,9 +88,7 @@ Foam::melt::densityField::filter(const voxelGrid& grid, const int index)
         return nullptr;
     }
 
-    static thread_local float mass[size], room[size];
-    std::fill_n(mass, size, 0.0f);
-    std::fill_n(room, size, 0.0f);
+    float mass[size] = {}, room[size] = {};
     const std::array<int, 3>& n = grid.n();
     forBricksAround
     (
@@ -108,11 +110,15 @@ Foam::melt::densityField::filter(const voxelGrid& grid, const int index)
                     const int row =
                         (x + 8*dx + 1)*step[0] + (y + 8*dy + 1)*step[1]
                       + 8*dz + 1;
-                    for (int z = begin(dz); z < end(dz, 2); ++z)
+                    const int column = voxelBrick::offset(x, y, 0);
+                    const int last = end(dz, 2);
+                    #pragma omp simd
+                    for (int z = begin(dz); z < last; ++z)
                     {
-                        const int i = voxelBrick::offset(x, y, z);
-                        mass[row + z] = b.mass[i];
-                        room[row + z] = b.capacity(i);
+                        mass[row + z] = b.mass[column + z];
+                        room[row + z] =
+                            b.phase[column + z] == ROCK
+                          ? 0 : wholeRoom - b.rock[column + z]*rockUnit;
                     }
                 }
             }
@@ -125,15 +131,19 @@ Foam::melt::densityField::filter(const voxelGrid& grid, const int index)
     }
 
     auto result = std::make_unique<values>();
-    bool empty = true;
-    for (int i = 0; i < voxelBrick::size; ++i)
+    float sum = 0;
+    for (int column = 0; column < 64; ++column)
     {
-        const int j =
-            ((i >> 6) + 1)*step[0] + (((i >> 3) & 7) + 1)*step[1] + (i & 7) + 1;
-        (*result)[i] = room[j] > 0 ? mass[j]/room[j] : 0;
-        empty = empty && mass[j] == 0;
+        const int j = (column/8 + 1)*step[0] + (column % 8 + 1)*step[1] + 1;
+        float* const values = result->data() + 8*column;
+        #pragma omp simd reduction(+:sum)
+        for (int k = 0; k < 8; ++k)
+        {
+            values[k] = room[j + k] > 0 ? mass[j + k]/room[j + k] : 0;
+            sum += mass[j + k];
+        }
     }
-    return empty ? nullptr : std::move(result);
+    return sum > 0 ? std::move(result) : nullptr;
 }
 
 

@@ -29,28 +29,39 @@ void Foam::melt::openSegments::measure
     s.base = s.z0;
     bool pool = !bottomless;
 
-    for (int z = s.z0; z <= s.z1; ++z)
+    s.base += grid.brickAt(x, y, s.z0).rock[voxelBrick::offset(x, y, s.z0)]/256.0;
+
+    // By bricks; no voxel of a segment is rock or solid throughout
+    for (int begin = s.z0; begin <= s.z1; begin = (begin | 7) + 1)
     {
-        const voxelBrick& b = grid.brickAt(x, y, z);
-        if (b.nLiquid == 0 && (z & 7) == 0 && z + 7 <= s.z1 && z > s.z0)
+        const int end = std::min(begin | 7, s.z1) + 1;
+        const int index = grid.brickIndex(x >> 3, y >> 3, begin >> 3);
+        if (!grid.allocated(index))
         {
+            s.room += (end - begin)*full;
             pool = false;
-            s.room += 8*full;
-            z += 7;
             continue;
         }
-        const int i = voxelBrick::offset(x, y, z);
-        s.room += b.capacity(i) - b.mass[i];
-        if (z == s.z0)
+        const voxelBrick& b = grid.brick(index);
+        const int first = voxelBrick::offset(x, y, begin);
+        std::int64_t mass = 0, rock = 0;
+        for (int i = first; i < first + end - begin; ++i)
         {
-            s.base += b.rock[i]/256.0;
+            mass += b.mass[i];
+            rock += b.rock[i];
         }
-        pool = pool && b.phase[i] == LIQUID;
-        if (pool)
+        s.room += (end - begin)*full - mass - rock*(full/256);
+
+        for (int z = begin; pool && z < end; ++z)
         {
-            s.top = z;
-            s.mass += b.mass[i];
-            energy += b.energy[i];
+            const int i = voxelBrick::offset(x, y, z);
+            pool = b.phase[i] == LIQUID;
+            if (pool)
+            {
+                s.top = z;
+                s.mass += b.mass[i];
+                energy += b.energy[i];
+            }
         }
     }
 

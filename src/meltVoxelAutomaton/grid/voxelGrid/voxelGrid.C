@@ -9,6 +9,25 @@
 #include <algorithm>
 #include <cstring>
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Nothing was and is in the 8 voxels from i on
+bool columnIsVoid(const Foam::melt::voxelBrick& b, const int i)
+{
+    std::int64_t something = 0;
+    for (int k = i; k < i + 8; ++k)
+    {
+        something |= b.energy[k] | b.mass[k] | b.phase[k] | b.rock[k];
+    }
+    return !something;
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::melt::voxelGrid::voxelGrid
@@ -152,6 +171,12 @@ void Foam::melt::voxelGrid::refresh()
         bool rock = true;
         for (int i = 0; i < voxelBrick::size; ++i)
         {
+            if ((i & 7) == 0 && columnIsVoid(b, i))
+            {
+                rock = false;
+                i += 7;
+                continue;
+            }
             if (b.phase[i] == ROCK)
             {
                 used = true;

@@ -28,11 +28,16 @@ void facesOfVoxel
     const std::size_t begin = free.size();
     float sum[3] = {0, 0, 0};
     float largest = 0, total = 0;
+
+    // A film on what is below has the voxel's area; what falls is a drop
+    const bool falling =
+        v[2] > 0 && grid.phase(v[0], v[1], v[2] - 1) == EMPTY;
+    const float across = falling ? std::cbrt(filled*filled) : 1;
     for (int side = 0; side < 6; ++side)
     {
         const std::array<int, 3> n = exposedFaces::normal(side);
         const int x = v[0] + n[0], y = v[1] + n[1], z = v[2] + n[2];
-        const float area = side < 4 ? filled : 1;
+        const float area = side < 4 ? filled : across;
         exposedFace face{v[0], v[1], v[2], side, area, area};
         if (!grid.inside(x, y, z))
         {

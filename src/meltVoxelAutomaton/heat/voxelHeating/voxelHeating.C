@@ -134,6 +134,24 @@ void Foam::melt::voxelHeating::give
     const int x,
     const int y,
     const int z,
+    const scalar heat,
+    const scalar dt
+)
+{
+    voxelBrick& b = grid.ownAt(x, y, z);
+    const auto energy =
+        std::int64_t(std::llround(heat/grid.material().energyUnit));
+    b.energy[voxelBrick::offset(x, y, z)] += energy;
+    b.changed = true;
+    (energy > 0 ? in : out) += std::abs(energy);
+    fastest = max(fastest, std::abs(energy)/(voxelMaterial::energyRange*dt));
+}
+
+
+void Foam::melt::voxelHeating::giveSurface
+(
+    voxelGrid& grid,
+    const exposedFace& face,
     const scalar power,
     const scalar slope,
     const scalar dt
@@ -143,29 +161,80 @@ void Foam::melt::voxelHeating::give
     {
         return;
     }
-    voxelBrick& b = grid.ownAt(x, y, z);
-    const int i = voxelBrick::offset(x, y, z);
     const voxelMaterial& material = grid.material();
-    const scalar h = material.h(b.mass[i], b.energy[i]);
-    const scalar mass = b.mass[i]*material.massUnit;
-    scalar heat = power*dt/(1 + slope*dt/(mass*material.curve.Cp(h)));
-    if (slope > 0)
+
+    // The voxel itself, the one below, solids beside it, with what counts of
+    // their masses
+    struct part
     {
-        // Not beyond the temperature at which the power would be 0: on its
-        // way the voxel's heat capacity may fall
-        const scalar balance =
-            mass
-           *(material.curve.h(material.curve.T(h) + power/slope) - h);
-        heat =
-            power > 0
-          ? min(heat, max(balance, scalar(0)))
-          : max(heat, min(balance, scalar(0)));
+        int x, y, z;
+        scalar mass;
+    };
+    std::array<part, 6> parts;
+    int n = 0;
+    scalar total = 0;
+    const auto add = [&](const int x, const int y, const int z, const scalar w)
+    {
+        const scalar mass = w*grid.mass(x, y, z)*material.massUnit;
+        if (mass > 0)
+        {
+            parts[n++] = {x, y, z, mass};
+            total += mass;
+        }
+    };
+    add(face.x, face.y, face.z, 1);
+    const scalar vacant =
+        1 - scalar(grid.mass(face.x, face.y, face.z))/voxelMaterial::full;
+    for (const int side : {0, 1, 2, 3, 4})
+    {
+        const std::array<int, 3> d = exposedFaces::normal(side);
+        const int x = face.x + d[0], y = face.y + d[1], z = face.z + d[2];
+        const std::uint8_t phase = grid.phase(x, y, z);
+        if
+        (
+            grid.inside(x, y, z)
+         && (phase == SOLID || (side == 4 && phase == LIQUID))
+        )
+        {
+            add(x, y, z, vacant);
+        }
     }
-    const auto energy = std::int64_t(std::llround(heat/material.energyUnit));
-    b.energy[i] += energy;
-    b.changed = true;
-    (energy > 0 ? in : out) += std::abs(energy);
-    fastest = max(fastest, std::abs(energy)/(voxelMaterial::energyRange*dt));
+
+    const auto h = [&](const part& p)
+    {
+        return material.h
+        (
+            grid.mass(p.x, p.y, p.z),
+            grid.brickAt(p.x, p.y, p.z).energy
+            [
+                voxelBrick::offset(p.x, p.y, p.z)
+            ]
+        );
+    };
+    const scalar hFilm = h(parts[0]);
+    const scalar heat =
+        power*dt/(1 + slope*dt/(total*material.curve.Cp(hFilm)));
+    for (int i = 0; i < n; ++i)
+    {
+        const part& p = parts[i];
+        scalar share = heat*p.mass/total;
+        if (slope > 0)
+        {
+            // Not beyond the temperature at which the power would be 0: on its
+            // way the voxel's heat capacity may fall
+            const scalar balance =
+                p.mass
+               *(
+                    material.curve.h(material.curve.T(hFilm) + power/slope)
+                  - h(p)
+                );
+            share =
+                power > 0
+              ? min(share, max(balance, scalar(0)))
+              : max(share, min(balance, scalar(0)));
+        }
+        give(grid, p.x, p.y, p.z, share, dt);
+    }
 }
 
 
@@ -203,7 +272,7 @@ void Foam::melt::voxelHeating::heatVolume
     );
     forAll(power, i)
     {
-        give(grid, voxels[i][0], voxels[i][1], voxels[i][2], power[i], 0, dt);
+        give(grid, voxels[i][0], voxels[i][1], voxels[i][2], power[i]*dt, dt);
     }
 }
 
@@ -308,7 +377,7 @@ void Foam::melt::voxelHeating::heat
             power += absorbed.power[i];
             slope += absorbed.slope[i];
         }
-        give(grid, f.x, f.y, f.z, power, slope, dt);
+        giveSurface(grid, f, power, slope, dt);
     }
 
     if (sources_.inVolume())

@@ -68,6 +68,18 @@ Foam::label Foam::melt::voxelAutomatonMethod::nVoxels
 }
 
 
+Foam::label Foam::melt::voxelAutomatonMethod::nBricks() const
+{
+    label n = 0;
+    const std::array<int, 3>& nb = grid_.nBricks();
+    for (int index = 0; index < nb[0]*nb[1]*nb[2]; ++index)
+    {
+        n += grid_.allocated(index);
+    }
+    return n;
+}
+
+
 Foam::point Foam::melt::voxelAutomatonMethod::centreOfMass() const
 {
     // In whole numbers of half voxels: exact in any order
@@ -196,7 +208,14 @@ void Foam::melt::voxelAutomatonMethod::report(Ostream& os) const
         << "     mass error " << massError*material.massUnit
         << " kg, energy error " << energyError*material.energyUnit
         << " J, from vents " << vents_.mass*material.massUnit
-        << " kg, escaped " << lostMass()*material.massUnit << " kg" << nl;
+        << " kg, escaped " << lostMass()*material.massUnit << " kg" << nl
+        << "     ms a step:";
+    for (std::size_t i = 0; i < times_.names.size(); ++i)
+    {
+        os  << ' ' << times_.names[i] << ' '
+            << 1e3*times_.seconds[i]/max(nSteps_, 1);
+    }
+    os  << nl;
 }
 
 // ************************************************************************* //

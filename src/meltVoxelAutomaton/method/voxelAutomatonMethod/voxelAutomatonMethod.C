@@ -253,7 +253,7 @@ Foam::melt::voxelAutomatonMethod::voxelAutomatonMethod
             dict_.subOrEmptyDict("heat"),
             "change",
             checkedEntry::positiveUpTo(1),
-            0.002
+            0.005
         )
     )
 {
@@ -340,7 +340,11 @@ Foam::scalar Foam::melt::voxelAutomatonMethod::maxDeltaT() const
         }
     };
 
-    limit(lubrication_.prepare(grid_), "lubrication");
+    times_.run
+    (
+        stageTimes::SPREADING,
+        [&] { limit(lubrication_.prepare(grid_), "lubrication"); }
+    );
     if
     (
         nVoxels(true, false) || !loose_.inFlight().empty() || vents_.active()
@@ -372,31 +376,47 @@ void Foam::melt::voxelAutomatonMethod::advance(const scalar deltaT)
 {
     maxDeltaT();
     particleSteps_ += nVoxels(true, true);
+    ++nSteps_;
 
-    if (published_)
-    {
-        published_->spread(grid_);
-        published_->fall(grid_);
-    }
-    else
-    {
+    times_.run
+    (
+        stageTimes::SPREADING,
+        [&]
         {
-            addProfiling(spreading, "lubricationRule");
-            lubrication_.spread(grid_, deltaT);
+            addProfiling(spreading, "spreading");
+            published_
+          ? published_->spread(grid_) : lubrication_.spread(grid_, deltaT);
         }
-        addProfiling(falling, "gravityRule");
-        gravity_.fall(grid_, deltaT);
-    }
-    {
-        addProfiling(pieces, "looseSolids");
-        loose_.fall(grid_, deltaT);
-    }
+    );
+    times_.run
+    (
+        stageTimes::FALLING,
+        [&]
+        {
+            addProfiling(falling, "falling");
+            published_
+          ? published_->fall(grid_) : gravity_.fall(grid_, deltaT);
+        }
+    );
+    times_.run
+    (
+        stageTimes::SOLIDS,
+        [&]
+        {
+            addProfiling(pieces, "looseSolids");
+            loose_.fall(grid_, deltaT);
+        }
+    );
     if (vents_.active())
     {
-        vents_.flow(grid_, mesh_.time().value(), deltaT);
+        times_.run
+        (
+            stageTimes::VENTS,
+            [&] { vents_.flow(grid_, mesh_.time().value(), deltaT); }
+        );
     }
     heatTime_ += deltaT;
-    exchangeHeat();
+    times_.run(stageTimes::HEAT, [&] { exchangeHeat(); });
 
     maxDeltaT_ = 0;
 }
@@ -410,8 +430,16 @@ void Foam::melt::voxelAutomatonMethod::write()
         voxelFiles::writeEnergies(mesh_, published_->energy());
     }
     voxelFiles::writeCloud(mesh_, frame_, grid_);
-    density_.update(grid_);
+    updateDensity();
     voxelFiles::writeDensity(mesh_, frame_, grid_, density_);
+}
+
+
+Foam::label Foam::melt::voxelAutomatonMethod::updateDensity()
+{
+    label n = 0;
+    times_.run(stageTimes::DENSITY, [&] { n = density_.update(grid_); });
+    return n;
 }
 
 

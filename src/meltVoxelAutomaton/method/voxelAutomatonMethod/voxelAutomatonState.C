@@ -56,6 +56,7 @@ Foam::scalarField Foam::melt::voxelAutomatonMethod::sums() const
     list.append(initialPotentialEnergy_);
     list.append(heatTime_);
     list.append(heating_->fastest);
+    list.append(loose_.waiting());
 
     list.append(scalar(vents_.waiting.size()));
     list.append(vents_.waiting);
@@ -98,6 +99,7 @@ void Foam::melt::voxelAutomatonMethod::setSums(const scalarField& list)
     initialPotentialEnergy_ = list[i++];
     heatTime_ = list[i++];
     heating_->fastest = list[i++];
+    loose_.waiting() = list[i++];
 
     const label nVents = label(list[i++]);
     vents_.waiting = scalarField::subField(list, nVents, i);

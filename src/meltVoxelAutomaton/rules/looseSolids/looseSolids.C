@@ -7,6 +7,7 @@
 #include "looseSolids.H"
 
 #include <algorithm>
+#include <cmath>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -42,10 +43,14 @@ int Foam::melt::looseSolids::numberAt
 void Foam::melt::looseSolids::connect(voxelGrid& grid)
 {
     voxels_.clear();
-    number_.assign
+    number_.resize
     (
-        std::size_t(grid.nBricks()[0])*grid.nBricks()[1]*grid.nBricks()[2], {}
+        std::size_t(grid.nBricks()[0])*grid.nBricks()[1]*grid.nBricks()[2]
     );
+    for (std::vector<int>& numbers : number_)
+    {
+        numbers.clear();
+    }
     for (const int index : grid.list())
     {
         const voxelBrick& b = grid.brick(index);
@@ -239,11 +244,18 @@ void Foam::melt::looseSolids::accelerate(voxelGrid& grid, const double dt)
 
 void Foam::melt::looseSolids::fall(voxelGrid& grid, const double dt)
 {
-    const bool changed = grid.takeSolidsChanged();
-    if (g_ <= 0 || (!changed && !loose_))
+    if (g_ <= 0)
     {
         return;
     }
+    loose_ = grid.takeSolidsChanged() || loose_;
+    waiting_ += dt;
+    const double quarter = 0.5*std::sqrt(2*grid.dx()/g_);
+    if (!loose_ || (falling_.empty() && waiting_ < quarter))
+    {
+        return;
+    }
+    waiting_ = 0;
     connect(grid);
     accelerate(grid, dt);
 

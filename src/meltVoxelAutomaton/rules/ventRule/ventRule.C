@@ -89,14 +89,23 @@ void Foam::melt::ventRule::flow
         const scalar radius = v.radius()/frame_.dx();
 
         std::vector<std::array<int, 2>> columns;
-        for (int x = 0; x < grid.n()[0]; ++x)
+        const double reach = std::max(radius, 0.75);
+        const auto first = [&](const int axis)
         {
-            for (int y = 0; y < grid.n()[1]; ++y)
+            return std::max(int(std::floor(centre[axis] - reach)), 0);
+        };
+        const auto last = [&](const int axis)
+        {
+            return std::min(int(centre[axis] + reach), grid.n()[axis] - 1);
+        };
+        for (int x = first(0); x <= last(0); ++x)
+        {
+            for (int y = first(1); y <= last(1); ++y)
             {
                 if
                 (
                     std::hypot(x + 0.5 - centre[0], y + 0.5 - centre[1])
-                 <= std::max(radius, 0.75)
+                 <= reach
                 )
                 {
                     columns.push_back({x, y});
