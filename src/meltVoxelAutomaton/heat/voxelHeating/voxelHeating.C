@@ -152,6 +152,7 @@ void Foam::melt::voxelHeating::giveSurface
 (
     voxelGrid& grid,
     const exposedFace& face,
+    const scalar T,
     const scalar power,
     const scalar slope,
     const scalar dt
@@ -223,11 +224,7 @@ void Foam::melt::voxelHeating::giveSurface
             // Not beyond the temperature at which the power would be 0: on its
             // way the voxel's heat capacity may fall
             const scalar balance =
-                p.mass
-               *(
-                    material.curve.h(material.curve.T(hFilm) + power/slope)
-                  - h(p)
-                );
+                p.mass*(material.curve.h(T + power/slope) - h(p));
             share =
                 power > 0
               ? min(share, max(balance, scalar(0)))
@@ -366,6 +363,7 @@ void Foam::melt::voxelHeating::heat
     for (label i = 0; i < e.size();)
     {
         const exposedFace& f = faceOf(i);
+        const scalar T = e.T[i];
         scalar power = 0, slope = 0;
         for (; i < e.size(); ++i)
         {
@@ -377,7 +375,7 @@ void Foam::melt::voxelHeating::heat
             power += absorbed.power[i];
             slope += absorbed.slope[i];
         }
-        giveSurface(grid, f, power, slope, dt);
+        giveSurface(grid, f, T, power, slope, dt);
     }
 
     if (sources_.inVolume())

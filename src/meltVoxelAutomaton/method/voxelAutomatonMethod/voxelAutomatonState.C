@@ -57,6 +57,7 @@ Foam::scalarField Foam::melt::voxelAutomatonMethod::sums() const
     list.append(heatTime_);
     list.append(heating_->fastest);
     list.append(loose_.waiting());
+    list.append(loose_.loose() || grid_.solidsChanged());
 
     list.append(scalar(vents_.waiting.size()));
     list.append(vents_.waiting);
@@ -100,6 +101,8 @@ void Foam::melt::voxelAutomatonMethod::setSums(const scalarField& list)
     heatTime_ = list[i++];
     heating_->fastest = list[i++];
     loose_.waiting() = list[i++];
+    grid_.takeSolidsChanged();
+    loose_.loose() = list[i++] > 0;
 
     const label nVents = label(list[i++]);
     vents_.waiting = scalarField::subField(list, nVents, i);

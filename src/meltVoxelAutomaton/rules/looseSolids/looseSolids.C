@@ -210,14 +210,18 @@ std::vector<std::vector<int>> Foam::melt::looseSolids::pieces()
 }
 
 
-void Foam::melt::looseSolids::accelerate(voxelGrid& grid, const double dt)
+void Foam::melt::looseSolids::findLoose(const voxelGrid& grid)
 {
     const std::vector<falling> before(std::move(falling_));
     falling_.clear();
     loose_ = false;
     for (const std::vector<int>& piece : pieces())
     {
-        loose_ = loose_ || !held(grid, piece);
+        if (held(grid, piece))
+        {
+            continue;
+        }
+        loose_ = true;
         if (!canFall(grid, piece))
         {
             continue;
@@ -233,10 +237,32 @@ void Foam::melt::looseSolids::accelerate(voxelGrid& grid, const double dt)
                 f.way = std::max(f.way, known.way);
             }
         }
-        f.way += (f.speed + 0.5*g_*dt)*dt;
-        f.speed += g_*dt;
         falling_.push_back(f);
     }
+}
+
+
+bool Foam::melt::looseSolids::fallOneVoxel(voxelGrid& grid, falling& f)
+{
+    const int number = numberAt(grid, f.x, f.y, f.z);
+    if (number < 0)
+    {
+        return false;
+    }
+    const int root = find(number);
+    for (const std::vector<int>& piece : pieces())
+    {
+        if (find(piece[0]) == root && canFall(grid, piece))
+        {
+            moveDown(grid, piece);
+            f.way -= grid.dx();
+            --f.z;
+            grid.refresh();
+            connect(grid);
+            return true;
+        }
+    }
+    return false;
 }
 
 
@@ -250,48 +276,39 @@ void Foam::melt::looseSolids::fall(voxelGrid& grid, const double dt)
     }
     loose_ = grid.takeSolidsChanged() || loose_;
     waiting_ += dt;
-    const double quarter = 0.5*std::sqrt(2*grid.dx()/g_);
-    if (!loose_ || (falling_.empty() && waiting_ < quarter))
+    bool connected = false;
+    if (loose_ && waiting_ >= 0.5*std::sqrt(2*grid.dx()/g_))
     {
-        return;
+        connect(grid);
+        findLoose(grid);
+        waiting_ = 0;
+        connected = true;
     }
-    waiting_ = 0;
-    connect(grid);
-    accelerate(grid, dt);
 
     for (std::size_t i = 0; i < falling_.size();)
     {
         falling& f = falling_[i];
-        if (f.way < grid.dx())
+        f.way += (f.speed + 0.5*g_*dt)*dt;
+        f.speed += g_*dt;
+        bool free = true;
+        while (free && f.way >= grid.dx())
         {
-            ++i;
-            continue;
-        }
-        bool free = false;
-        for (const std::vector<int>& piece : pieces())
-        {
-            if (find(piece[0]) == find(numberAt(grid, f.x, f.y, f.z)))
+            if (!connected)
             {
-                free = canFall(grid, piece);
-                if (free)
-                {
-                    moveDown(grid, piece);
-                }
+                connect(grid);
+                connected = true;
             }
+            free = fallOneVoxel(grid, f);
         }
         if (free)
         {
-            f.way -= grid.dx();
-            --f.z;
-            grid.refresh();
-            connect(grid);
+            ++i;
         }
         else
         {
             falling_.erase(falling_.begin() + i);
         }
     }
-    grid.takeSolidsChanged();
 }
 
 // ************************************************************************* //
