@@ -59,6 +59,13 @@ string contents(const fileName& file)
     );
 }
 
+//- What is asked of results, not how they come about
+bool ofReport(const fileName& file)
+{
+    return
+        file == "system/meltCompareDict" || file == "system/meltToPovDict";
+}
+
 } // End anonymous namespace
 
 
@@ -89,6 +96,10 @@ void Foam::melt::caseRun::checkClone() const
 {
     for (const fileName& file : files())
     {
+        if (ofReport(file))
+        {
+            continue;
+        }
         if
         (
             !isFile(dir_/file)
@@ -153,16 +164,25 @@ Foam::melt::caseRun::caseRun
 
 void Foam::melt::caseRun::clone() const
 {
-    if (isDir(dir_))
+    const bool cloned = isDir(dir_);
+    if (cloned)
     {
         checkClone();
-        return;
     }
 
     for (const fileName& file : files())
     {
+        if (cloned && !ofReport(file))
+        {
+            continue;
+        }
         mkDir((dir_/file).path());
-        if (!cp(source_/file, dir_/file))
+        // Scripts that make geometry stay executable
+        if
+        (
+            !cp(source_/file, dir_/file)
+         || !chMod(dir_/file, mode(source_/file))
+        )
         {
             FatalErrorInFunction
                 << "Cannot copy " << source_/file << " to " << dir_

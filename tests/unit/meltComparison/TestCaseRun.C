@@ -59,10 +59,12 @@ public:
 TEST(CaseRun, cloneHasTheInputAndNoResults)
 {
     const someCase block;
+    chMod(block.path/"constant/geometry/block.off", 0755);
     const caseRun run(block.path, "sph");
     run.clone();
 
     EXPECT_EQ(run.dir(), block.root/"block.sph");
+    EXPECT_EQ(mode(run.dir()/"constant/geometry/block.off") & 0777, 0755);
     for (const char* file : {"0/T", "constant/g", "system/controlDict"})
     {
         EXPECT_TRUE(isFile(run.dir()/file)) << file;
@@ -107,6 +109,12 @@ TEST(CaseRun, cloneHasToAgreeWithTheCase)
     EXPECT_THROW(run.clone(), Foam::error);
     block.set("constant/g", "g");
     EXPECT_NO_THROW(run.clone());
+
+    // What is asked of the results may change
+    block.set("system/meltCompareDict", "other");
+    EXPECT_NO_THROW(run.clone());
+    EXPECT_TRUE(isFile(run.dir()/"system/meltCompareDict"));
+
     block.set("constant/more", "more");
     EXPECT_THROW(run.clone(), Foam::error);
 }

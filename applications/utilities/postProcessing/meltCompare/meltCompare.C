@@ -201,7 +201,11 @@ int main(int argc, char* argv[])
     }
     setNames(cases);
 
-    const fileName dictFile(dirs[0]/"system"/"meltCompareDict");
+    const fileName source
+    (
+        args.found("methods") ? absolute(args.globalPath()) : dirs[0]
+    );
+    const fileName dictFile(source/"system"/"meltCompareDict");
     dictionary dict;
     if (isFile(dictFile))
     {
@@ -241,10 +245,6 @@ int main(int argc, char* argv[])
         }
     }
 
-    const fileName source
-    (
-        args.found("methods") ? absolute(args.globalPath()) : dirs[0]
-    );
     comparisonReport report
     (
         args.lookupOrDefault<fileName>
