@@ -94,6 +94,28 @@ scalarField shares(const shape& body, const eulerianMesh& mesh)
     return share;
 }
 
+
+//- Velocities of the faces of cells that a shape fills, in part or wholly
+void setVelocities
+(
+    const shape& body,
+    const eulerianMesh& mesh,
+    const scalarField& share,
+    faceVelocities& U
+)
+{
+    const fvMesh& fv = mesh.mesh();
+    const vectorField velocity(body.velocity(fv.faceCentres()));
+    forAll(fv.neighbour(), facei)
+    {
+        if (share[fv.owner()[facei]] > 0 || share[fv.neighbour()[facei]] > 0)
+        {
+            const eulerianMesh::gridFace& g = mesh.onGrid(facei);
+            U[g.direction][g.face] = velocity[facei][g.direction];
+        }
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -104,7 +126,8 @@ void Foam::melt::eulerianFill::fill
     const meltScene& scene,
     const eulerianMesh& mesh,
     scalarField& alpha,
-    scalarField& alphaH
+    scalarField& alphaH,
+    faceVelocities& U
 )
 {
     const dictionary& shapes = scene.dict().subDict("shapes");
@@ -122,6 +145,7 @@ void Foam::melt::eulerianFill::fill
         );
         const scalarField share(shares(body, mesh));
         const scalarField values(T->value(mesh.mesh().cellCentres()));
+        setVelocities(body, mesh, share, U);
         forAll(share, celli)
         {
             const scalar part = min(share[celli], 1 - alpha[celli]);

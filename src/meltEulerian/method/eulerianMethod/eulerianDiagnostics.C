@@ -62,12 +62,12 @@ Foam::melt::meltDiagnostics Foam::melt::eulerianMethod::diagnostics() const
     boundBox bounds(boundBox::invertedBox);
     forAll(alpha, celli)
     {
+        const scalar mass = rho*alpha[celli]*mesh.V()[celli];
+        liquid += mass*liquidFraction(celli);
         if (alpha[celli] < seen)
         {
             continue;
         }
-        const scalar mass = rho*alpha[celli]*mesh.V()[celli];
-        liquid += mass*liquidFraction(celli);
         d.kineticEnergy += 0.5*mass*magSqr(interface_.U()[celli]);
         d.maxU = max(d.maxU, mag(interface_.U()[celli]));
         d.minT = min(d.minT, energy_.T()[celli]);
@@ -98,21 +98,15 @@ Foam::melt::meltDiagnostics Foam::melt::eulerianMethod::diagnostics() const
         }
         bounds.add(low);
         bounds.add(high);
-        for (label i = 0; i < 8; ++i)
-        {
-            const vector to
-            (
-                point
-                (
-                    i & 1 ? high.x() : low.x(),
-                    i & 2 ? high.y() : low.y(),
-                    i & 4 ? high.z() : low.z()
-                )
-              - initialCentre_
-            );
-            d.frontRadius =
-                max(d.frontRadius, mag(to - (to & up)*up));
-        }
+
+        const vector to(mesh.C()[celli] - initialCentre_);
+        const scalar edge = cbrt(mesh.V()[celli]);
+        d.frontRadius = max
+        (
+            d.frontRadius,
+            mag(to - (to & up)*up)
+          + (min(alpha[celli], scalar(1)) - 0.5)*edge
+        );
     }
     if (d.mass > 0)
     {

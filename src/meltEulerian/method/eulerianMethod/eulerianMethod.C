@@ -439,10 +439,12 @@ Foam::melt::eulerianMethod::eulerianMethod
     }
     else
     {
+        faceVelocities U(flow_.U());
         eulerianFill::fill
         (
-            scene, region_, interface_.alpha().primitiveFieldRef(), alphaH_
+            scene, region_, interface_.alpha().primitiveFieldRef(), alphaH_, U
         );
+        flow_.set(U, flow_.p());
         interface_.alpha().correctBoundaryConditions();
         initialCentre_ = centreOfMass();
         initialMass_ = mass();

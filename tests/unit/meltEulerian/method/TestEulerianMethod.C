@@ -1,0 +1,197 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "eulerianMethod.H"
+#include "meltScene/scene/sceneCase.H"
+#include "meltUnitTests.H"
+
+using namespace Foam;
+using namespace Foam::melt;
+using unitTest::sceneCase;
+
+namespace
+{
+
+//- A material that melts at 300 K, with latent heat, on a hot floor
+std::string melting(const std::string& rheology)
+{
+    return
+        "material { thermo { rho 1000; Cp 2000; CpLiquid 3000; kappa 50;"
+        " kappaLiquid 20; solidus 300; latentHeat 1e4; TMin 200; TMax 500; }"
+        " rheology { type Newtonian; eta " + rheology + "; } }\n";
+}
+
+
+const std::string hotFloor =
+    "zMin { type fixedValue; value uniform 400; }"
+    " \".*\" { type zeroGradient; }";
+
+
+//- The message of the error that the method is refused with
+std::string refusal(sceneCase& files, const word& file, const std::string& dict)
+{
+    files.set(file, dict);
+    try
+    {
+        const meltScene scene(files.mesh(), 0.1);
+        eulerianMethod(files.mesh(), scene);
+    }
+    catch (const error& err)
+    {
+        return err.message();
+    }
+    return "accepted";
+}
+
+} // End anonymous namespace
+
+
+// Splashing in a closed box: nothing is lost, and alpha stays in 0..1
+TEST(EulerianMethod, conservesMassAndEnergy)
+{
+    sceneCase files;
+    files.setMaterial(melting("1"));
+    files.setBoundary("T", hotFloor);
+    const meltScene scene(files.mesh(), 0.1);
+    eulerianMethod method(files.mesh(), scene);
+
+    const meltDiagnostics start(method.diagnostics());
+    EXPECT_NEAR(start.mass, 64, 1e-9);
+    EXPECT_NEAR(start.solidFraction(), 1, 1e-12);
+
+    scalar time = 0;
+    for (label step = 0; step < 60; ++step)
+    {
+        const scalar deltaT = method.maxDeltaT();
+        ASSERT_GT(deltaT, 0);
+        method.advance(deltaT);
+        time += deltaT;
+        const meltDiagnostics d(method.diagnostics());
+        ASSERT_NEAR(d.mass, start.mass, 1e-9*start.mass);
+        ASSERT_NEAR
+        (
+            d.thermalEnergy - start.thermalEnergy,
+            d.heatIn - d.heatOut,
+            1e-6*d.heatIn
+        );
+        ASSERT_GE(d.minT, 300 - 1e-6);
+        ASSERT_LE(d.maxT, 400);
+        ASSERT_GE(d.bounds.min().z(), -1e-12);
+    }
+    const meltDiagnostics end(method.diagnostics());
+    EXPECT_GT(time, 1);
+    EXPECT_GT(end.meltedFraction, 0);
+    EXPECT_GT(end.heatIn, 0);
+}
+
+
+// Solid melt does not creep, whatever its viscosity is
+TEST(EulerianMethod, solidStays)
+{
+    for (const std::string solid : {"type constraint;", "type sink; coefficient 1e12;"})
+    {
+        sceneCase files;
+        files.set("system/eulerianSolution", "solid { " + solid + " }");
+        files.setShapes
+        (
+            sceneCase::box
+            (
+                "cube", "(0.3 0.3 0.3)", "(0.7 0.7 0.7)",
+                "{ type uniform; value 300; }"
+            )
+        );
+        const meltScene scene(files.mesh(), 0.1);
+        eulerianMethod method(files.mesh(), scene);
+        for (label step = 0; step < 10; ++step)
+        {
+            method.advance(method.maxDeltaT());
+        }
+        EXPECT_LT(method.diagnostics().maxU, 1e-6) << solid;
+        EXPECT_NEAR(method.diagnostics().centreOfMass.z(), 0.5, 1e-5) << solid;
+    }
+}
+
+
+// Liquid melt in the air falls as stones do, to the first order of the step
+TEST(EulerianMethod, liquidFalls)
+{
+    sceneCase files;
+    files.setShapes
+    (
+        sceneCase::box
+        (
+            "cube", "(0.3 0.3 0.5)", "(0.7 0.7 0.9)",
+            "{ type uniform; value 350; }"
+        )
+    );
+    const meltScene scene(files.mesh(), 0.1);
+    eulerianMethod method(files.mesh(), scene);
+    scalar time = 0;
+    while (time < 0.2)
+    {
+        const scalar deltaT = min(method.maxDeltaT(), 0.005);
+        method.advance(deltaT);
+        time += deltaT;
+    }
+    const meltDiagnostics d(method.diagnostics());
+    EXPECT_NEAR(d.centreOfMass.z(), 0.7 - 0.5*9.81*sqr(time), 0.01);
+    EXPECT_NEAR(d.centreOfMass.x(), 0.5, 1e-9);
+}
+
+
+TEST(EulerianMethod, startsWithTheMotionOfItsShapes)
+{
+    sceneCase files;
+    files.set("constant/g", "dimensions [0 1 -2 0 0 0 0]; value (0 0 0);");
+    files.setShapes
+    (
+        "cube { type box; min (0.3 0.3 0.3); max (0.7 0.7 0.7);"
+        " U (0.3 0 0); omega (0 0 1); T { type uniform; value 350; } }"
+    );
+    const meltScene scene(files.mesh(), 0.1);
+    eulerianMethod method(files.mesh(), scene);
+    const scalar deltaT = 0.01;
+    for (label step = 0; step < 10; ++step)
+    {
+        method.advance(deltaT);
+    }
+    const meltDiagnostics d(method.diagnostics());
+    EXPECT_NEAR(d.centreOfMass.x(), 0.5 + 0.3*0.1, 1e-3);
+    EXPECT_NEAR(d.centreOfMass.y(), 0.5, 1e-3);
+    EXPECT_GT(d.maxU, 0.35);
+}
+
+
+TEST(EulerianMethod, badInput)
+{
+    const word file("system/eulerianSolution");
+    const std::pair<std::string, std::string> wrong[] =
+    {
+        {"timeStep { Courant 0.7; }", "Courant"},
+        {"timeStep { growth 1; }", "growth"},
+        {"momentum { tolerance 0; }", "tolerance"},
+        {"momentum { wetFrom 0.6; }", "wetFrom"},
+        {"momentum { maxSweeps 0; }", "maxSweeps"},
+        {"energy { tolerance -1; }", "tolerance"},
+        {"solid { type rigid; }", "constraint none sink"},
+        {"solid { type sink; }", "coefficient"},
+        {"solid { flowFraction 2; }", "flowFraction"},
+        {"buoyancy { beta 1e-3; }", "TRef"}
+    };
+    for (const auto& [dict, word] : wrong)
+    {
+        sceneCase files;
+        EXPECT_NE(refusal(files, file, dict).find(word), std::string::npos)
+            << dict << ": " << refusal(files, file, dict);
+    }
+
+    sceneCase files;
+    files.setMaterial(sceneCase::material() + " vents { summit {} }");
+    EXPECT_NE
+    (
+        refusal(files, file, "").find("no vents"), std::string::npos
+    );
+}
