@@ -207,7 +207,7 @@ void Foam::melt::eulerianMethod::fail
 )
 {
     Time& time = const_cast<Time&>(mesh_.time());
-    time.setTime(time.value() - deltaT, time.timeIndex() - 1);
+    time.setTime(time.value() - remaining_, time.timeIndex() - 1);
     if (isA<meltTime>(time))
     {
         refCast<meltTime>(time).writeChecked([&]() { write(); });
@@ -288,7 +288,7 @@ void Foam::melt::eulerianMethod::exchangeHeat(const scalar deltaT)
     {
         return;
     }
-    const scalar time = mesh_.time().value() - 0.5*deltaT;
+    const scalar time = mesh_.time().value() - remaining_ + 0.5*deltaT;
     energyRecord_ = energy_.advance
     (
         alpha,
@@ -486,12 +486,31 @@ Foam::word Foam::melt::eulerianMethod::deltaTLimit() const
 
 void Foam::melt::eulerianMethod::advance(const scalar deltaT)
 {
-    flow(deltaT);
-    interfaceSteps_ =
-        interface_.advance(flow_.U(), deltaT, Courant_, alphaH_);
-    exchangeHeat(deltaT);
-    lastDeltaT_ = deltaT;
-    cellSteps_ += nParticles();
+    remaining_ = deltaT;
+    scalar step = deltaT;
+    while (remaining_ > 0)
+    {
+        const scalar part = step < (1 - SMALL)*remaining_ ? step : remaining_;
+        const faceVelocities U(flow_.U());
+        const std::vector<double> p(flow_.p());
+        flow(part);
+
+        // What has just melted may be faster than anything was before
+        const scalar Courant = interface_.Courant(flow_.U(), part);
+        if (Courant > 2*Courant_)
+        {
+            flow_.set(U, p);
+            step = part*Courant_/Courant;
+            continue;
+        }
+        interfaceSteps_ =
+            interface_.advance(flow_.U(), part, Courant_, alphaH_);
+        exchangeHeat(part);
+        remaining_ = part < remaining_ ? remaining_ - part : 0;
+        lastDeltaT_ = step;
+        step *= growth_;
+        cellSteps_ += nParticles();
+    }
 }
 
 
