@@ -161,7 +161,9 @@ Foam::scalar Foam::melt::voxelAutomatonMethod::heatLimit() const
 void Foam::melt::voxelAutomatonMethod::exchangeHeat()
 {
     heating_->update();
-    if (heatTime_ < heatLimit())
+
+    // What is written is up to date
+    if (heatTime_ < heatLimit() && !mesh_.time().writeTime())
     {
         return;
     }
