@@ -138,6 +138,16 @@ void Foam::melt::implicitPressure::limit(timeStepControl& control) const
     {
         control.limit("advective", system_.spacing/std::sqrt(maxSpeed2));
     }
+
+    const double rate = parallelMax
+    (
+        f.size(),
+        [&](const int i) { return std::abs(f.dRho[i]/f.rho[i]); }
+    );
+    if (!(rate <= 0))
+    {
+        control.limit("density", 1/rate);
+    }
 }
 
 // ************************************************************************* //

@@ -11,6 +11,7 @@
 
 Foam::melt::timeStepControl::timeStepControl(const dictionary& dict)
 :
+    dict_(dict),
     maxDeltaT_
     (
         checkedEntry::getOrDefault
@@ -19,25 +20,33 @@ Foam::melt::timeStepControl::timeStepControl(const dictionary& dict)
         )
     )
 {
-    for (const word& name : {"acoustic", "force", "viscous", "thermal"})
+    for (const char* name : {"acoustic", "force", "viscous", "thermal"})
+    {
+        if (dict.found(name))
+        {
+            coefficients_.insert
+            (
+                name,
+                checkedEntry::get
+                (
+                    dict, name, dimless, checkedEntry::positive()
+                )
+            );
+        }
+    }
+    const auto insert = [&](const word& name, const scalar byDefault)
     {
         coefficients_.insert
         (
             name,
-            checkedEntry::get
+            checkedEntry::getOrDefault
             (
-                dict, name, dimless, checkedEntry::positive()
+                dict, name, dimless, checkedEntry::positive(), byDefault
             )
         );
-    }
-    coefficients_.insert
-    (
-        "advective",
-        checkedEntry::getOrDefault
-        (
-            dict, "advective", dimless, checkedEntry::positive(), 0.4
-        )
-    );
+    };
+    insert("advective", 0.4);
+    insert("density", 0.05);
     reset();
 }
 
@@ -61,7 +70,15 @@ void Foam::melt::timeStepControl::limit(const word& name, const scalar scale)
             << exit(FatalError);
     }
 
-    const scalar deltaT = coefficients_[name]*scale;
+    const auto coefficient = coefficients_.cfind(name);
+    if (!coefficient.found())
+    {
+        FatalIOErrorInFunction(dict_)
+            << "The chosen scheme and terms have a limit " << name
+            << ": its coefficient is missing, accepted: a number > 0"
+            << exit(FatalIOError);
+    }
+    const scalar deltaT = coefficient.val()*scale;
 
     if (deltaT < deltaT_)
     {

@@ -1,0 +1,208 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "incompressible.H"
+#include "addToRunTimeSelectionTable.H"
+#include "wallContact.H"
+
+namespace Foam
+{
+namespace melt
+{
+    defineTypeNameAndDebug(incompressible, 0);
+    addToRunTimeSelectionTable(sphScheme, incompressible, dictionary);
+}
+}
+
+
+Foam::melt::incompressible::incompressible
+(
+    const dictionary& dict,
+    const effectSwitches& effects,
+    sphSystem& system
+)
+:
+    sphScheme(dict, effects, system)
+{
+    if (!equations_.implicit() || system_.pairs.pressure)
+    {
+        FatalIOErrorInFunction(dict)
+            << "The scheme incompressible takes pressure { type"
+            << " implicitPressure; ... } and viscosity { type"
+            << " implicitViscosity; ... }"
+            << exit(FatalIOError);
+    }
+}
+
+
+Foam::word Foam::melt::incompressible::fault(const scalar deltaT)
+{
+    const particles& f = system_.fluid;
+    const double maxA2 = parallelMax
+    (
+        f.size(),
+        [&](const int i)
+        {
+            return f.ax[i]*f.ax[i] + f.ay[i]*f.ay[i] + f.az[i]*f.az[i];
+        }
+    );
+    if (!std::isfinite(maxA2))
+    {
+        return "a velocity is not a number";
+    }
+
+    // Twice the limit: the step was chosen by the state before
+    const timeStepControl& limits = equations_.limits();
+    return deltaT > 2*limits.deltaT() ? limits.ruling() + " limit" : word();
+}
+
+
+void Foam::melt::incompressible::keepState()
+{
+    const particles& f = system_.fluid;
+    before_.x = f.u;
+    before_.y = f.v;
+    before_.z = f.w;
+    lastA_.x = f.ax;
+    lastA_.y = f.ay;
+    lastA_.z = f.az;
+    rhoBefore_ = f.rho;
+    lastDRho_ = f.dRho;
+}
+
+
+void Foam::melt::incompressible::restoreState()
+{
+    particles& f = system_.fluid;
+    f.u = before_.x;
+    f.v = before_.y;
+    f.w = before_.z;
+    f.ax = lastA_.x;
+    f.ay = lastA_.y;
+    f.az = lastA_.z;
+    f.rho = rhoBefore_;
+    f.dRho = lastDRho_;
+}
+
+
+Foam::word Foam::melt::incompressible::step(const scalar dt)
+{
+    particles& f = system_.fluid;
+    const int n = f.size();
+
+    keepState();
+    equations_.evaluate();
+
+    // Without a step before, or after a much shorter one: backward Euler
+    const scalar ratio = lastDeltaT_ > 0 ? dt/lastDeltaT_ : GREAT;
+    const scalar gamma = ratio <= 2 ? ratio/(1 + 2*ratio) : 0;
+    const scalar fromBefore = gamma*dt;
+    const scalar now = dt - fromBefore;
+
+    #pragma omp parallel for simd schedule(static)
+    for (int i = 0; i < n; ++i)
+    {
+        f.u[i] += fromBefore*lastA_.x[i] + now*f.ax[i];
+        f.v[i] += fromBefore*lastA_.y[i] + now*f.ay[i];
+        f.w[i] += fromBefore*lastA_.z[i] + now*f.az[i];
+        f.rho[i] += fromBefore*lastDRho_[i];
+    }
+    if (!equations_.implicitUpdate(now, before_))
+    {
+        restoreState();
+        return "no convergence";
+    }
+
+    equations_.setDensityRate();
+    #pragma omp parallel for simd schedule(static)
+    for (int i = 0; i < n; ++i)
+    {
+        f.ax[i] = (f.u[i] - before_.x[i])/dt;
+        f.ay[i] = (f.v[i] - before_.y[i])/dt;
+        f.az[i] = (f.w[i] - before_.z[i])/dt;
+        f.rho[i] += now*f.dRho[i];
+        f.dRho[i] = (f.rho[i] - rhoBefore_[i])/dt;
+    }
+    const word why(fault(dt));
+    if (!why.empty())
+    {
+        restoreState();
+        return why;
+    }
+
+    move(dt);
+    lastDeltaT_ = dt;
+    return word();
+}
+
+
+void Foam::melt::incompressible::move(const scalar dt)
+{
+    particles& f = system_.fluid;
+    const int n = f.size();
+    const bool heat = !f.dH.empty();
+    const bool xsph = !f.du.empty();
+
+    double longest2 = 0;
+    #pragma omp parallel for schedule(static) reduction(max:longest2)
+    for (int i = 0; i < n; ++i)
+    {
+        if (heat)
+        {
+            f.h[i] += dt*f.dH[i];
+        }
+
+        const double dx =
+            dt*(0.5*(before_.x[i] + f.u[i]) + (xsph ? f.du[i] : 0));
+        const double dy =
+            dt*(0.5*(before_.y[i] + f.v[i]) + (xsph ? f.dv[i] : 0));
+        const double dz =
+            dt*(0.5*(before_.z[i] + f.w[i]) + (xsph ? f.dw[i] : 0));
+        f.x[i] += dx;
+        f.y[i] += dy;
+        f.z[i] += dz;
+        longest2 = std::max(longest2, dx*dx + dy*dy + dz*dz);
+    }
+
+    wallContacts_ += keepInFrontOfWalls(system_.near, system_.walls, f);
+    updateNeighbours(std::sqrt(longest2));
+}
+
+
+void Foam::melt::incompressible::advance(const scalar deltaT)
+{
+    const word why(step(deltaT));
+    if (why.empty())
+    {
+        return;
+    }
+
+    ++halvedSteps_;
+    Info<< "incompressible: a step of " << deltaT << " s is done again in two: "
+        << why << endl;
+    if (!(deltaT > VSMALL))
+    {
+        FatalErrorInFunction
+            << "The step has shrunk to " << deltaT << " s: " << why
+            << exit(FatalError);
+    }
+    advance(deltaT/2);
+    advance(deltaT/2);
+}
+
+
+void Foam::melt::incompressible::write(dictionary& dict) const
+{
+    dict.set("lastDeltaT", lastDeltaT_);
+}
+
+
+void Foam::melt::incompressible::read(const dictionary& dict)
+{
+    dict.readIfPresent("lastDeltaT", lastDeltaT_);
+}
+
+// ************************************************************************* //

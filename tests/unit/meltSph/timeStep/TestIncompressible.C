@@ -1,0 +1,163 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "meltUnitTests.H"
+#include "schemeCase.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+using namespace Foam;
+using namespace Foam::melt;
+using namespace Foam::melt::unitTest;
+
+namespace
+{
+
+particleCloud lump(const unsigned seed)
+{
+    particleCloud cloud
+    (
+        lattice
+        {
+            {8, 7, 6}, 0.01, smoothingKernel::kernelType::wendlandC2, 1.3, 0.2
+        },
+        seed
+    );
+    return cloud;
+}
+
+
+std::string numerics(const std::string& advective = "0.4")
+{
+    return
+        "scheme incompressible;"
+        " pressure { type implicitPressure; speedOfSound 10; }"
+        " viscosity { type implicitViscosity; operator adjoint;"
+        " centralShare 0.1; maxCondition 100; }"
+        " implicit { tolerance 1e-9; maxIterations 4000; }"
+        " timeStep { force 1; advective " + advective + "; density "
+      + advective + "; }";
+}
+
+
+double energy(const particles& f)
+{
+    double sum = 0;
+    for (int i = 0; i < f.size(); ++i)
+    {
+        sum += 0.5*f.m[i]
+           *(f.u[i]*f.u[i] + f.v[i]*f.v[i] + f.w[i]*f.w[i]);
+    }
+    return sum;
+}
+
+} // End anonymous namespace
+
+
+// Constant acceleration is exact, whatever the step
+TEST(Incompressible, fallsFreely)
+{
+    schemeCase scheme(lump(1), numerics("100"));
+    scheme.system.g = {0, -9.81, 0};
+    const particles start = scheme.system.fluid;
+    scheme.run(0.02, 3);
+    const particles& f = scheme.system.fluid;
+    for (int i = 0; i < f.size(); ++i)
+    {
+        const int now = scheme.indexOf(start.id[i]);
+        ASSERT_NEAR(f.v[now], -9.81*0.02, 1e-8);
+        ASSERT_NEAR(f.y[now] - start.y[i], -9.81*0.02*0.02/2, 1e-9);
+        ASSERT_NEAR(f.x[now], start.x[i], 1e-9);
+    }
+}
+
+
+TEST(Incompressible, keepsMomentumAndGainsNoEnergyAtAnyStep)
+{
+    for (const scalar deltaT : {1e-4, 1e-2, 0.1})
+    {
+        particleCloud cloud(lump(2));
+        cloud.randomiseVelocity(0.3);
+        schemeCase scheme(cloud, numerics("1e6"));
+        const particles& f = scheme.system.fluid;
+        const auto momentum = [&]()
+        {
+            return blockSum(f.size(), [&](int i) { return f.m[i]*f.u[i]; });
+        };
+        const double p0 = momentum();
+
+        const double start = energy(f);
+        scheme.run(2*deltaT, 2);
+        EXPECT_LE(energy(f), start) << deltaT;
+        EXPECT_NEAR(momentum(), p0, 1e-8*f.m[0]*f.size());
+    }
+}
+
+
+// A pendulum of pressure: a lump compressed at rest swings, and the error of
+// its density after a time falls with the square of the step
+TEST(Incompressible, isOfSecondOrder)
+{
+    const auto spread = [](const label n)
+    {
+        particleCloud cloud(lump(3));
+        cloud.setVelocity
+        (
+            [](double x, double y, double z)
+            {
+                return vector3{y - 0.03, 2*(x - 0.04), 0.5*(z - 0.03)};
+            }
+        );
+        schemeCase scheme(cloud, numerics("1e6"));
+        scheme.run(2e-3, n);
+        return energy(scheme.system.fluid);
+    };
+
+    // Lists are made anew at other times, but the first step is backward Euler
+    // in all of them
+    const double exact = spread(256);
+    const double coarse = std::abs(spread(8) - exact);
+    const double fine = std::abs(spread(32) - exact);
+    EXPECT_GT(coarse/fine, 10);
+}
+
+
+// Twice as far as the limit allows: done again in halves
+TEST(Incompressible, tooLongAStepIsDoneAgain)
+{
+    particleCloud cloud(lump(4));
+    cloud.setVelocity
+    (
+        [](double, double, double) { return vector3{1, 0, 0}; }
+    );
+    schemeCase scheme(cloud, numerics());
+    const double x0 = scheme.system.fluid.x[0];
+    const int id = scheme.system.fluid.id[0];
+    scheme.run(0.04, 1);
+    EXPECT_NEAR
+    (
+        scheme.system.fluid.x[scheme.indexOf(id)] - x0, 0.04, 1e-9
+    );
+
+    OStringStream log;
+    scheme.scheme->report(log);
+    EXPECT_NE(log.str().find("done again in halves: 7"), std::string::npos)
+        << log.str();
+}
+
+
+TEST(Incompressible, takesNoExplicitPressure)
+{
+    EXPECT_THROW
+    (
+        schemeCase(lump(5), "scheme incompressible;" + pressureAndViscosity()),
+        Foam::IOerror
+    );
+}
+
+// ************************************************************************* //
