@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceHeating.H"
+#include "boundBox.H"
 #include "pairPass.H"
 
 #include <unordered_set>
