@@ -7,6 +7,7 @@
 #include "velocitySolver.H"
 #include "checkedEntry.H"
 #include "dimensionSets.H"
+#include "sphSystem.H"
 
 Foam::melt::velocitySolver::velocitySolver(const dictionary& dict)
 :
@@ -88,11 +89,12 @@ void Foam::melt::velocitySolver::invertBlocks
 
 bool Foam::melt::velocitySolver::solve
 (
-    particles& f,
+    sphSystem& system,
     const scalar deltaT,
     const vectorArray& guess
 )
 {
+    particles& f = system.fluid;
     const int n = f.size();
 
     v_ = guess;
@@ -108,24 +110,47 @@ bool Foam::melt::velocitySolver::solve
     invertBlocks(f, deltaT);
 
     // r = M (v* - v) + dt (b - K v)
-    addForces(v_, 1, r_);
-    #pragma omp parallel for simd schedule(static)
-    for (int i = 0; i < n; ++i)
+    const auto setResidual = [&]()
     {
-        r_.x[i] = f.m[i]*(start_.x[i] - v_.x[i]) + deltaT*r_.x[i];
-        r_.y[i] = f.m[i]*(start_.y[i] - v_.y[i]) + deltaT*r_.y[i];
-        r_.z[i] = f.m[i]*(start_.z[i] - v_.z[i]) + deltaT*r_.z[i];
+        addForces(v_, 1, r_);
+        #pragma omp parallel for simd schedule(static)
+        for (int i = 0; i < n; ++i)
+        {
+            r_.x[i] = f.m[i]*(start_.x[i] - v_.x[i]) + deltaT*r_.x[i];
+            r_.y[i] = f.m[i]*(start_.y[i] - v_.y[i]) + deltaT*r_.y[i];
+            r_.z[i] = f.m[i]*(start_.z[i] - v_.z[i]) + deltaT*r_.z[i];
+        }
+    };
+
+    implicitParts parts;
+    // Single precision does not reach a tolerance near its own round-off
+    bool described = tolerance_ > 10*floatScalarSMALL;
+    for (const implicitOperator* o : operators_)
+    {
+        described = o->describe(parts) && described;
+    }
+    if (described)
+    {
+        product_.build(system, parts);
     }
 
     const auto apply = [&](const vectorArray& p, vectorArray& Ap)
     {
-        addForces(p, 0, Ap);
+        if (described)
+        {
+            product_.apply(p, Ap);
+        }
+        else
+        {
+            addForces(p, 0, Ap);
+        }
+        const double k = described ? deltaT : -deltaT;
         #pragma omp parallel for simd schedule(static)
         for (int i = 0; i < n; ++i)
         {
-            Ap.x[i] = f.m[i]*p.x[i] - deltaT*Ap.x[i];
-            Ap.y[i] = f.m[i]*p.y[i] - deltaT*Ap.y[i];
-            Ap.z[i] = f.m[i]*p.z[i] - deltaT*Ap.z[i];
+            Ap.x[i] = f.m[i]*p.x[i] + k*Ap.x[i];
+            Ap.y[i] = f.m[i]*p.y[i] + k*Ap.y[i];
+            Ap.z[i] = f.m[i]*p.z[i] + k*Ap.z[i];
         }
     };
     const auto precondition = [&](const vectorArray& r, vectorArray& z)
@@ -170,16 +195,31 @@ bool Foam::melt::velocitySolver::solve
             }
         );
 
-    const conjugateGradient::result result = solver_.solve
-    (
-        apply, precondition, impulse,
-        tolerance_, negligible, maxIterations_, v_, r_
-    );
+    // The product of the iterations is one of single precision: where the true
+    // residual is not down yet, they go on from it
+    bool converged = false;
+    label nIterations = 0;
+    while (!converged && nIterations < maxIterations_)
+    {
+        setResidual();
+        const conjugateGradient::result result = solver_.solve
+        (
+            apply, precondition, impulse,
+            tolerance_, negligible, maxIterations_ - nIterations, v_, r_
+        );
+        nIterations += result.iterations;
+        lastResidual_ = result.residual;
+        converged =
+            result.converged && (!described || result.iterations == 0);
+        if (!result.converged)
+        {
+            break;
+        }
+    }
     ++nSolves_;
-    nIterations_ += result.iterations;
-    lastResidual_ = result.residual;
+    nIterations_ += nIterations;
 
-    if (!result.converged)
+    if (!converged)
     {
         return false;
     }
@@ -204,7 +244,7 @@ void Foam::melt::velocitySolver::report(Ostream& os) const
     }
 
     std::size_t bytes =
-        solver_.bytes() + v_.bytes() + start_.bytes() + r_.bytes()
+        solver_.bytes() + product_.bytes() + v_.bytes() + start_.bytes() + r_.bytes()
       + 6*sizeof(double)*inverse_[0].capacity();
     for (const implicitOperator* o : operators_)
     {

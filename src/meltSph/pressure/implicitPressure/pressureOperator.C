@@ -137,6 +137,14 @@ void Foam::melt::pressureOperator::addDiagonal(blocks& diagonal) const
 }
 
 
+bool Foam::melt::pressureOperator::describe(implicitParts& p) const
+{
+    p.stiffness = &stiffness_;
+    p.pressureWall = &wallGradient_;
+    return true;
+}
+
+
 void Foam::melt::pressureOperator::divergence(std::vector<double>& div) const
 {
     const particles& f = system_.fluid;

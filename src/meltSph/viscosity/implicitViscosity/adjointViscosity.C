@@ -150,6 +150,15 @@ void Foam::melt::adjointViscosity::addDiagonal(blocks& diagonal) const
 }
 
 
+bool Foam::melt::adjointViscosity::describe(implicitParts& p) const
+{
+    p.L = &L_;
+    p.adjointShare = 1 - centralShare_;
+    p.viscousWall = &wallGradient_;
+    return central_.describe(p);
+}
+
+
 std::size_t Foam::melt::adjointViscosity::bytes() const
 {
     std::size_t n =

@@ -243,7 +243,7 @@ void Foam::melt::centralViscosity::update(const double)
         system_.near,
         system_.walls,
         system_.fluid,
-        blockLaw(system_, share_, diagonal_, wallPull_)
+        blockLaw(system_, 1, diagonal_, wallPull_)
     );
 }
 
@@ -269,13 +269,16 @@ void Foam::melt::centralViscosity::addForce
     #pragma omp parallel for simd schedule(static)
     for (int i = 0; i < n; ++i)
     {
-        const double x = v.x[i], y = v.y[i], z = v.z[i];
+        const double x = share_*v.x[i];
+        const double y = share_*v.y[i];
+        const double z = share_*v.z[i];
+        const double pull = share_*sources;
         force.x[i] +=
-            sources*wallPull_.x[i] - b[0][i]*x - b[1][i]*y - b[2][i]*z;
+            pull*wallPull_.x[i] - b[0][i]*x - b[1][i]*y - b[2][i]*z;
         force.y[i] +=
-            sources*wallPull_.y[i] - b[1][i]*x - b[3][i]*y - b[4][i]*z;
+            pull*wallPull_.y[i] - b[1][i]*x - b[3][i]*y - b[4][i]*z;
         force.z[i] +=
-            sources*wallPull_.z[i] - b[2][i]*x - b[4][i]*y - b[5][i]*z;
+            pull*wallPull_.z[i] - b[2][i]*x - b[4][i]*y - b[5][i]*z;
     }
 }
 
@@ -291,6 +294,14 @@ void Foam::melt::centralViscosity::addDiagonal(blocks& diagonal) const
             to[i] += from[i];
         }
     }
+}
+
+
+bool Foam::melt::centralViscosity::describe(implicitParts& p) const
+{
+    p.centralShare = share_;
+    p.centralDiagonal = &diagonal_;
+    return true;
 }
 
 

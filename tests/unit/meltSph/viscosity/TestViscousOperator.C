@@ -256,7 +256,7 @@ TEST_P(ViscousOperator, implicitStepKeepsMomentumAndTakesOutMoreEnergyTheLongerI
         guess.x = f.u;
         guess.y = f.v;
         guess.z = f.w;
-        ASSERT_TRUE(solver.solve(f, deltaT, guess));
+        ASSERT_TRUE(solver.solve(s, deltaT, guess));
         EXPECT_NEAR(momentum(), p0, 1e-8*f.m[0]*f.size());
 
         const double energy = blockSum
