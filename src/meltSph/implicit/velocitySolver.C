@@ -202,7 +202,7 @@ bool Foam::melt::velocitySolver::solve
     while (!converged && nIterations < maxIterations_)
     {
         setResidual();
-        const conjugateGradient::result result = solver_.solve
+        const conjugateGradient<vectorArray>::result result = solver_.solve
         (
             apply, precondition, impulse,
             tolerance_, negligible, maxIterations_ - nIterations, v_, r_

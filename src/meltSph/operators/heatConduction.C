@@ -14,7 +14,8 @@ double Foam::melt::heatConduction
     const wallState& walls,
     const double uniformKappa,
     const double spacing,
-    particles& f
+    particles& f,
+    const double correction
 )
 {
     std::vector<double> fromWalls(f.size());
@@ -26,7 +27,8 @@ double Foam::melt::heatConduction
             near, walls, f,
             conductionLaw<true>
             (
-                f, walls, uniformKappa, spacing, fromWalls.data()
+                f, walls, uniformKappa, spacing, correction,
+                fromWalls.data()
             )
         );
     }
@@ -37,7 +39,8 @@ double Foam::melt::heatConduction
             near, walls, f,
             conductionLaw<false>
             (
-                f, walls, uniformKappa, spacing, fromWalls.data()
+                f, walls, uniformKappa, spacing, correction,
+                fromWalls.data()
             )
         );
     }

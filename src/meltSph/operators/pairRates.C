@@ -51,7 +51,7 @@ double Foam::melt::pairRates::add
     const xsphLaw smoothingLaw(f, epsilon);
     const conductionLaw<true> heatLaw
     (
-        f, walls, kappa, spacing, fromWalls.data()
+        f, walls, kappa, spacing, correction, fromWalls.data()
     );
 
     const auto pass = [&](const auto&... laws)
@@ -81,7 +81,7 @@ double Foam::melt::pairRates::add
 
     if (conduction && !uniform)
     {
-        return heatConduction(near, walls, kappa, spacing, f);
+        return heatConduction(near, walls, kappa, spacing, f, correction);
     }
     return blockSum
     (

@@ -6,6 +6,8 @@
 
 #include "explicitConduction.H"
 #include "addToRunTimeSelectionTable.H"
+#include "conductivity.H"
+#include "latticeMoment.H"
 
 namespace Foam
 {
@@ -14,12 +16,6 @@ namespace melt
     defineTypeNameAndDebug(explicitConduction, 0);
     addToRunTimeSelectionTable(rateTerm, explicitConduction, dictionary);
 }
-}
-
-
-bool Foam::melt::explicitConduction::uniform() const
-{
-    return system_.thermo.kappaSolid() == system_.thermo.kappaLiquid();
 }
 
 
@@ -34,6 +30,8 @@ Foam::melt::explicitConduction::explicitConduction
     system_.pairs.conduction = true;
     system_.pairs.kappa = system_.thermo.kappaSolid();
     system_.pairs.spacing = system_.spacing;
+    system_.pairs.correction =
+        1/latticeMoment(system_.near.kernel(), system_.spacing);
 }
 
 
@@ -41,7 +39,7 @@ void Foam::melt::explicitConduction::allocate()
 {
     particles& f = system_.fluid;
     f.require({&f.dH});
-    if (!uniform())
+    if (!uniformConductivity(system_.thermo))
     {
         f.require({&f.kappa});
     }
@@ -50,21 +48,9 @@ void Foam::melt::explicitConduction::allocate()
 
 void Foam::melt::explicitConduction::prepare()
 {
-    if (uniform())
+    if (!system_.fluid.kappa.empty())
     {
-        return;
-    }
-
-    particles& f = system_.fluid;
-    const int n = f.size();
-    const enthalpyCurve curve = system_.thermo.enthalpy();
-    const double solid = system_.thermo.kappaSolid();
-    const double liquid = system_.thermo.kappaLiquid();
-
-    #pragma omp parallel for schedule(static)
-    for (int i = 0; i < n; ++i)
-    {
-        f.kappa[i] = solid + (liquid - solid)*curve.liquidFraction(f.h[i]);
+        setConductivity(system_.thermo, system_.fluid);
     }
 }
 
@@ -74,7 +60,8 @@ void Foam::melt::explicitConduction::limit(timeStepControl& control) const
     const double h = system_.near.kernel().h();
     const enthalpyCurve& curve = system_.thermo.enthalpy();
     const double kappa =
-        max(system_.thermo.kappaSolid(), system_.thermo.kappaLiquid());
+        system_.pairs.correction
+       *max(system_.thermo.kappaSolid(), system_.thermo.kappaLiquid());
     const double Cp = min(curve.CpSolid, curve.CpLiquid);
 
     control.limit("thermal", h*h*system_.thermo.rho()*Cp/kappa);

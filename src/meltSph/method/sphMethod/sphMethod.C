@@ -59,8 +59,33 @@ Foam::melt::smoothingKernel Foam::melt::sphMethod::kernel
     (
         smoothingKernel::typeOf(type),
         ratio*scene.resolution(),
-        scene.mesh().nGeometricD()
+        scene.mesh().nGeometricD(),
+        depth(scene)
     );
+}
+
+
+Foam::scalar Foam::melt::sphMethod::depth(const meltScene& scene)
+{
+    const fvMesh& mesh = scene.mesh();
+    if (mesh.nGeometricD() == 3)
+    {
+        return 1;
+    }
+
+    for (direction d = 0; d < vector::nComponents; ++d)
+    {
+        const scalar depth = mesh.bounds().span()[d];
+        if (mesh.geometricD()[d] < 0 && mag(depth/scene.resolution() - 1) > 0.01)
+        {
+            FatalErrorInFunction
+                << "The method sph takes a plane domain that is one particle"
+                << " deep: the mesh is " << depth << " m deep in direction "
+                << label(d) << ", the resolution is " << scene.resolution()
+                << " m" << exit(FatalError);
+        }
+    }
+    return scene.resolution();
 }
 
 

@@ -169,6 +169,8 @@ void Foam::melt::incompressible::move(const scalar dt)
 
     wallContacts_ += keepInFrontOfWalls(system_.near, system_.walls, f);
     updateNeighbours(std::sqrt(longest2));
+    system_.heatReceived += dt*system_.heatFromWalls;
+    equations_.advanceHeat(dt);
 }
 
 

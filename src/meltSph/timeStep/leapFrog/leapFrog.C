@@ -124,6 +124,7 @@ void Foam::melt::leapFrog::advance(const scalar dt)
         system_.near, system_.walls, system_.fluid
     );
     updateNeighbours(longestWay);
+    equations_.advanceHeat(dt);
     equations_.evaluate();
     correct(dt);
     system_.heatReceived += 0.5*dt*(heatBefore + system_.heatFromWalls);

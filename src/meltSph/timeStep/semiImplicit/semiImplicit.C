@@ -83,6 +83,7 @@ bool Foam::melt::semiImplicit::step(const scalar dt)
 
     wallContacts_ += keepInFrontOfWalls(system_.near, system_.walls, f);
     updateNeighbours(std::sqrt(longest2));
+    equations_.advanceHeat(dt);
     equations_.evaluate();
     return true;
 }

@@ -104,6 +104,15 @@ void Foam::melt::sphEquations::evaluate()
 }
 
 
+void Foam::melt::sphEquations::advanceHeat(const scalar deltaT)
+{
+    for (rateTerm& term : terms_)
+    {
+        term.advanceHeat(deltaT);
+    }
+}
+
+
 void Foam::melt::sphEquations::setDensityRate()
 {
     bool isSet = false;

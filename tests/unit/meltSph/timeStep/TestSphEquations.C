@@ -4,6 +4,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
+#include "latticeMoment.H"
 #include "meltSph/particleCloud/cloudSums.H"
 #include "meltUnitTests.H"
 #include "schemeCase.H"
@@ -152,7 +153,7 @@ TEST(SphEquations, limitsOfTheTimeStep)
     expectLimit
     (
         still, rest + heat, "heatConduction on;", {0, 0, 0}, "thermal",
-        0.1*h*h*1000*2000/0.2
+        0.1*h*h*1000*2000/0.2*latticeMoment(still.near.kernel(), 0.01)
     );
     expectLimit
     (
