@@ -167,6 +167,8 @@ void Foam::melt::incompressible::move(const scalar dt)
         longest2 = std::max(longest2, dx*dx + dy*dy + dz*dz);
     }
 
+    system_.heatReceived += dt*system_.heatFromWalls;
+
     wallContacts_ += keepInFrontOfWalls(system_.near, system_.walls, f);
     updateNeighbours(std::sqrt(longest2));
     system_.heatReceived += dt*system_.heatFromWalls;
