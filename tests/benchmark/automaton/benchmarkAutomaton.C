@@ -118,15 +118,27 @@ void benchmarkScene(Time& runTime, const label nSteps)
         const double bytes = 2*sizeof(voxelBrick)*nMoved/spent;
         std::printf
         (
-            "    %-9s %8.3f ms, %6.1f ns a voxel, %5.2f GB/s, %.2f of the"
-            " triad's %.1f\n",
+            "    %-9s %8.3f ms, %6.1f ns a voxel",
             after.names[i],
             1e3*spent,
-            1e9*spent/nVoxels,
-            bytes/1e9,
-            bytes/bandwidth,
-            bandwidth/1e9
+            1e9*spent/nVoxels
         );
+        if
+        (
+            i == stageTimes::SPREADING
+         || i == stageTimes::FALLING
+         || i == stageTimes::DENSITY
+        )
+        {
+            std::printf
+            (
+                ", %5.2f GB/s, %.2f of the triad's %.1f",
+                bytes/1e9,
+                bytes/bandwidth,
+                bandwidth/1e9
+            );
+        }
+        std::printf("\n");
     }
 }
 
