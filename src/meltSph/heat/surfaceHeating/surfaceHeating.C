@@ -22,6 +22,33 @@ using namespace Foam::melt;
 constexpr double least = 0.1;
 
 
+//- Share of the area of a flat surface that a layer at depth s [m] has: what W
+//  is in one dimension, W1(s) = -pi int_s (r^2 - s^2) W'(r) dr, times spacing
+double areaOfLayer
+(
+    const smoothingKernel& kernel,
+    const double spacing,
+    const double s
+)
+{
+    const int n = 200;
+    const double step = (kernel.support() - s)/n;
+    double sum = 0;
+    kernel.visit([&](const auto& W)
+    {
+        for (int i = 0; i < n; ++i)
+        {
+            const double r = s + (i + 0.5)*step;
+            const double weight =
+                kernel.dimensions() == 3
+              ? M_PI*(r*r - s*s) : 2*std::sqrt(r*r - s*s);
+            sum -= weight*r*W.gradientOverR(r*r)*step;
+        }
+    });
+    return sum*spacing;
+}
+
+
 //- Sums up grad C of each particle [1/m]
 class colourGradientLaw
 {
@@ -143,7 +170,17 @@ Foam::melt::surfaceHeating::surfaceHeating
 :
     system_(system),
     sources_(meltProperties)
-{}
+{
+    const smoothingKernel& kernel = system.near.kernel();
+    const double spacing = system.spacing;
+    double counted = 0;
+    for (double s = 0.5*spacing; s < kernel.support(); s += spacing)
+    {
+        const double area = areaOfLayer(kernel, spacing, s);
+        counted += area*kernel.h() >= least*spacing ? area : 0;
+    }
+    areaFactor_ = 1/counted;
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -177,7 +214,7 @@ Foam::melt::surfaceElements Foam::melt::surfaceHeating::elements()
         const scalar size = mag(gradient[i]);
         e.position[k] = point(f.x[i], f.y[i], f.z[i]);
         e.normal[k] = -gradient[i]/size;
-        e.area[k] = 2*f.V[i]*size;
+        e.area[k] = areaFactor_*f.V[i]*size;
         e.T[k] = f.T[i];
     }
     e.smoothArea = e.area;
