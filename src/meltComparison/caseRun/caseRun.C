@@ -221,7 +221,7 @@ void Foam::melt::caseRun::run() const
         FatalErrorInFunction
             << "meltFoam failed with status " << status << ", log " << log
             << ":" << nl
-            << text.substr(text.size() > shown ? text.size() - shown : 0).c_str()
+            << text.substr(max(text.size(), shown) - shown).c_str()
             << exit(FatalError);
     }
     Info<< timer.elapsedTime() << " s" << endl;

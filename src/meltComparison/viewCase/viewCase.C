@@ -41,7 +41,10 @@ void Foam::melt::viewCase::writeCloud(const caseResults& results) const
 
     scalarField T, m;
     {
-        passiveParticleCloud particles(mesh, "melt", IDLList<passiveParticle>());
+        passiveParticleCloud particles
+        (
+            mesh, "melt", IDLList<passiveParticle>()
+        );
         forAll(parcels.box, i)
         {
             particles.addParticle
@@ -106,7 +109,12 @@ Foam::melt::viewCase::viewCase
     }
     look.remove("FoamFile");
 
-    const auto setDefault = [](dictionary& dict, const word& name, const auto& value)
+    const auto setDefault = []
+    (
+        dictionary& dict,
+        const word& name,
+        const auto& value
+    )
     {
         if (!dict.found(name))
         {

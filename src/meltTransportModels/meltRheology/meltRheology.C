@@ -63,7 +63,11 @@ Foam::viscosityModels::meltRheology::temperature() const
         return *fileT_;
     }
 
-    const auto fieldIO = [&](const fileName& instance, const IOobject::readOption r)
+    const auto fieldIO = [&]
+    (
+        const fileName& instance,
+        const IOobject::readOption r
+    )
     {
         return IOobject
         (

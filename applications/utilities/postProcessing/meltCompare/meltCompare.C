@@ -46,6 +46,7 @@ Usage
 
 #include "argList.H"
 #include "caseRun.H"
+#include "caseSet.H"
 #include "checkedEntry.H"
 #include "comparisonReport.H"
 #include "IOdictionary.H"
@@ -88,55 +89,6 @@ fileNameList runMethods
         dirs.append(run.dir());
     }
     return dirs;
-}
-
-
-//- Names of methods; where two cases share one, names of directories
-void setNames(PtrList<caseResults>& cases)
-{
-    wordHashSet methods;
-    bool unique = true;
-    for (const caseResults& c : cases)
-    {
-        unique = methods.insert(c.cost().method) && unique;
-    }
-    for (caseResults& c : cases)
-    {
-        c.rename(unique ? c.cost().method : c.dir().name());
-    }
-}
-
-
-//- The last time that all cases have
-scalarList lastCommonTime(const PtrList<caseResults>& cases)
-{
-    const instantList& times = cases[0].times();
-    for (label i = times.size() - 1; i >= 0; --i)
-    {
-        bool common = true;
-        for (const caseResults& c : cases)
-        {
-            common = common && c.has(times[i].value());
-        }
-        if (common)
-        {
-            return scalarList(1, times[i].value());
-        }
-    }
-
-    FatalErrorInFunction
-        << "The cases have no time in common:" << nl;
-    for (const caseResults& c : cases)
-    {
-        FatalError << "    " << c.dir() << ": ";
-        for (const instant& t : c.times())
-        {
-            FatalError << t.name() << ' ';
-        }
-        FatalError << nl;
-    }
-    FatalError << exit(FatalError);
-    return scalarList();
 }
 
 } // End anonymous namespace
@@ -187,19 +139,7 @@ int main(int argc, char* argv[])
             dirs.append(absolute(dir));
         }
     }
-    if (dirs.size() < 2)
-    {
-        FatalErrorInFunction
-            << "There is nothing to compare " << dirs << " with." << nl
-            << "Accepted: two methods or cases, or more" << exit(FatalError);
-    }
-
-    PtrList<caseResults> cases(dirs.size());
-    forAll(dirs, i)
-    {
-        cases.set(i, new caseResults(dirs[i]));
-    }
-    setNames(cases);
+    caseSet cases(dirs);
 
     const fileName source
     (
@@ -219,16 +159,15 @@ int main(int argc, char* argv[])
     scalarList times;
     if (!dict.readIfPresent("times", times))
     {
-        times = lastCommonTime(cases);
-    }
-    scalar coarsest = 0;
-    for (const caseResults& c : cases)
-    {
-        coarsest = max(coarsest, c.cost().resolution);
+        times = scalarList(1, cases.lastCommonTime());
     }
     const scalar spacing = checkedEntry::getOrDefault
     (
-        dict, "gridSpacing", dimLength, checkedEntry::positive(), coarsest
+        dict,
+        "gridSpacing",
+        dimLength,
+        checkedEntry::positive(),
+        cases.coarsestResolution()
     );
 
     Info<< "Comparing at " << times << " s on cells of " << spacing << " m"
