@@ -11,11 +11,9 @@
 namespace
 {
 
-// Less melt than this in a cell goes to the neighbours [-]
-const Foam::scalar dust = 1e-9;
-
-// A cell may give to its neighbours' neighbours, and so on, this far
-const Foam::label maxRings = 20;
+// Less melt than this in a cell goes to the neighbours, and more than this above
+// a full cell [-]
+const Foam::scalar dust = 5e-10;
 
 } // End anonymous namespace
 
@@ -46,24 +44,31 @@ void Foam::melt::meltInterface::bound(scalarField& alphaH)
         redistributed_ += mag(part)*mesh.V()[from];
     };
 
-    forAll(alpha, celli)
+    const auto bounded = [&](const label celli)
     {
-        if (alpha[celli] <= 1 && (alpha[celli] >= dust || alpha[celli] == 0))
-        {
-            continue;
-        }
+        return
+            alpha[celli] <= 1 + dust
+         && (alpha[celli] >= dust || alpha[celli] == 0);
+    };
 
-        // Rings of neighbours around the cell, nearest first
+    // Rings of neighbours around the cell, nearest first: of those that flow,
+    // then, in a full domain, of all
+    const auto distribute = [&](const label celli, const bool toSolid)
+    {
         labelHashSet seen(labelList(1, celli));
         labelList ring(1, celli);
-        for (label i = 0; i < maxRings && ring.size(); ++i)
+        while (ring.size() && !bounded(celli))
         {
             DynamicList<label> next;
             for (const label c : ring)
             {
                 for (const label neighbour : cellCells[c])
                 {
-                    if (accepts(neighbour) && seen.insert(neighbour))
+                    if
+                    (
+                        (toSolid || accepts(neighbour))
+                     && seen.insert(neighbour)
+                    )
                     {
                         next.append(neighbour);
                     }
@@ -82,8 +87,8 @@ void Foam::melt::meltInterface::bound(scalarField& alphaH)
                 }
                 else if
                 (
-                    alpha[celli] < dust
-                 && alpha[celli] != 0
+                    !bounded(celli)
+                 && alpha[celli] < dust
                  && alpha[neighbour] > dust - min(alpha[celli], scalar(0))
                  && alpha[neighbour] + alpha[celli] <= 1
                 )
@@ -91,15 +96,18 @@ void Foam::melt::meltInterface::bound(scalarField& alphaH)
                     give(celli, neighbour, alpha[celli]);
                 }
             }
-            if
-            (
-                alpha[celli] <= 1
-             && (alpha[celli] >= dust || alpha[celli] == 0)
-            )
-            {
-                break;
-            }
             ring = next;
+        }
+    };
+
+    forAll(alpha, celli)
+    {
+        for (const bool toSolid : {false, true})
+        {
+            if (!bounded(celli))
+            {
+                distribute(celli, toSolid);
+            }
         }
     }
     alpha_.correctBoundaryConditions();

@@ -65,7 +65,8 @@ const dictionary& supported(const dictionary& meltProperties)
 
 Foam::melt::meltFlow::controls Foam::melt::eulerianMethod::flowControls
 (
-    const dictionary& dict
+    const dictionary& dict,
+    const bool inPlane
 )
 {
     const scalarMinMax share(checkedEntry::positiveUpTo(1));
@@ -75,7 +76,16 @@ Foam::melt::meltFlow::controls Foam::melt::eulerianMethod::flowControls
     c.solver.maxIterations =
         int(number(dict, "maxIterations", atLeastOne, 1000));
     c.solver.directUnknowns =
-        int(number(dict, "directUnknowns", scalarMinMax(0, 1e9), 8000));
+        int
+        (
+            number
+            (
+                dict,
+                "directUnknowns",
+                scalarMinMax(0, 1e9),
+                inPlane ? 8000 : 2000
+            )
+        );
     c.viscosityTolerance = number(dict, "viscosityTolerance", share, 1e-4);
     c.maxSweeps = int(number(dict, "maxSweeps", atLeastOne, 20));
     c.wetFrom = number(dict, "wetFrom", checkedEntry::positiveUpTo(0.5), 1e-3);
@@ -362,7 +372,14 @@ Foam::melt::eulerianMethod::eulerianMethod
         )
     ),
     region_(scene),
-    flow_(region_.grid(), flowControls(dict_.subOrEmptyDict("momentum"))),
+    flow_
+    (
+        region_.grid(),
+        flowControls
+        (
+            dict_.subOrEmptyDict("momentum"), region_.mesh().nSolutionD() < 3
+        )
+    ),
     interface_(region_),
     alphaH_(region_.mesh().nCells(), 0),
     energy_(region_, scene.thermo(), dict_.subOrEmptyDict("energy")),

@@ -7,6 +7,7 @@
 #include "eulerianMethod.H"
 #include "meltScene/scene/sceneCase.H"
 #include "meltUnitTests.H"
+#include "volFields.H"
 
 using namespace Foam;
 using namespace Foam::melt;
@@ -85,6 +86,36 @@ TEST(EulerianMethod, conservesMassAndEnergy)
     EXPECT_GT(time, 1);
     EXPECT_GT(end.meltedFraction, 0);
     EXPECT_GT(end.heatIn, 0);
+}
+
+
+// Convection in a full box: there is no room for what the solver leaves of div U
+TEST(EulerianMethod, fullBoxStaysFull)
+{
+    sceneCase files;
+    files.set("system/eulerianSolution", "buoyancy { beta 1e-3; TRef 300; }");
+    files.setMaterial(melting("0.1"));
+    files.setShapes
+    (
+        sceneCase::box
+        (
+            "all", "(0 0 0)", "(1 1 1)",
+            "{ type linear; direction (1 0 0); T1 320; T2 380; }"
+        )
+    );
+    const meltScene scene(files.mesh(), 0.1);
+    eulerianMethod method(files.mesh(), scene);
+    for (label step = 0; step < 20; ++step)
+    {
+        method.advance(min(method.maxDeltaT(), 1.0));
+    }
+    EXPECT_GT(method.diagnostics().maxU, 1e-3);
+    const volScalarField& alpha =
+        files.mesh().time().lookupObject<fvMesh>(eulerianMesh::regionName)
+       .lookupObject<volScalarField>("alpha.melt");
+    EXPECT_LE(gMax(alpha.primitiveField()), 1 + 1e-9);
+    EXPECT_GE(gMin(alpha.primitiveField()), 1 - 1e-4);
+    EXPECT_NEAR(gAverage(alpha.primitiveField()), 1, 1e-9);
 }
 
 
