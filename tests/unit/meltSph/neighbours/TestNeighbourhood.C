@@ -60,6 +60,17 @@ TEST(Neighbourhood, pairsAreMutualAndWithoutSelf)
 }
 
 
+TEST(Neighbourhood, passesOverListsAreCounted)
+{
+    particleCloud cloud(lattice{{12, 9, 3}, 0.01, kernelType::wendlandC2, 1.2, 0.3});
+    const std::uint64_t n = fluidPairs(cloud).size();
+    EXPECT_EQ(cloud.near.pairVisits(), 0u);
+    cloud.near.countPass(cloud.near.fluid());
+    cloud.near.countPass(cloud.near.walls());
+    EXPECT_EQ(cloud.near.pairVisits(), n);
+}
+
+
 TEST(Neighbourhood, listHoldsWithinHalfTheSkin)
 {
     particleCloud cloud(lattice{{12, 10, 8}, 0.01, kernelType::wendlandC2, 1.2, 0.3});
