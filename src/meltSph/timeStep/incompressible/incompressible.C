@@ -6,6 +6,7 @@
 
 #include "incompressible.H"
 #include "addToRunTimeSelectionTable.H"
+#include "blockSum.H"
 #include "wallContact.H"
 
 namespace Foam
@@ -146,31 +147,53 @@ void Foam::melt::incompressible::move(const scalar dt)
     const bool heat = !f.dH.empty();
     const bool xsph = !f.du.empty();
 
-    double longest2 = 0;
-    #pragma omp parallel for schedule(static) reduction(max:longest2)
-    for (int i = 0; i < n; ++i)
+    // The mean of the velocities at both ends, from what goes with the
+    // particles when they are sorted anew
+    const auto velocity = [&](const int i, double& u, double& v, double& w)
     {
-        if (heat)
+        u = f.u[i] - 0.5*dt*f.ax[i] + (xsph ? f.du[i] : 0);
+        v = f.v[i] - 0.5*dt*f.ay[i] + (xsph ? f.dv[i] : 0);
+        w = f.w[i] - 0.5*dt*f.az[i] + (xsph ? f.dw[i] : 0);
+    };
+
+    const double fastest = std::sqrt
+    (
+        parallelMax
+        (
+            n,
+            [&](const int i)
+            {
+                double u, v, w;
+                velocity(i, u, v, w);
+                return u*u + v*v + w*w;
+            }
+        )
+    );
+
+    // No further than a spacing at a time: nothing passes a wall unseen
+    const int pieces =
+        max(1, int(std::ceil(dt*fastest/system_.spacing)));
+    const double part = dt/pieces;
+    for (int piece = 0; piece < pieces; ++piece)
+    {
+        #pragma omp parallel for schedule(static)
+        for (int i = 0; i < n; ++i)
         {
-            f.h[i] += dt*f.dH[i];
+            double u, v, w;
+            velocity(i, u, v, w);
+            f.x[i] += part*u;
+            f.y[i] += part*v;
+            f.z[i] += part*w;
+            if (heat)
+            {
+                f.h[i] += part*f.dH[i];
+            }
         }
 
-        const double dx =
-            dt*(0.5*(before_.x[i] + f.u[i]) + (xsph ? f.du[i] : 0));
-        const double dy =
-            dt*(0.5*(before_.y[i] + f.v[i]) + (xsph ? f.dv[i] : 0));
-        const double dz =
-            dt*(0.5*(before_.z[i] + f.w[i]) + (xsph ? f.dw[i] : 0));
-        f.x[i] += dx;
-        f.y[i] += dy;
-        f.z[i] += dz;
-        longest2 = std::max(longest2, dx*dx + dy*dy + dz*dz);
+        wallContacts_ += keepInFrontOfWalls(system_.near, system_.walls, f);
+        updateNeighbours(part*fastest);
     }
 
-    system_.heatReceived += dt*system_.heatFromWalls;
-
-    wallContacts_ += keepInFrontOfWalls(system_.near, system_.walls, f);
-    updateNeighbours(std::sqrt(longest2));
     system_.heatReceived += dt*system_.heatFromWalls;
     equations_.advanceHeat(dt);
 }
