@@ -111,7 +111,13 @@ Foam::word Foam::melt::incompressible::step(const scalar dt)
         f.w[i] += fromBefore*lastA_.z[i] + now*f.az[i];
         f.rho[i] += fromBefore*lastDRho_[i];
     }
-    if (!equations_.implicitUpdate(now, before_))
+    // The first guess goes on as the step before did
+    guess_ = before_;
+    if (gamma > 0)
+    {
+        guess_.add(dt, lastA_);
+    }
+    if (!equations_.implicitUpdate(now, guess_))
     {
         restoreState();
         return "no convergence";
