@@ -22,30 +22,44 @@ using namespace Foam::melt;
 constexpr double least = 0.1;
 
 
-//- Share of the area of a flat surface that a layer at depth s [m] has: what W
-//  is in one dimension, W1(s) = -pi int_s (r^2 - s^2) W'(r) dr, times spacing
-double areaOfLayer
+//- |grad C| [1/m] of the particles in the layers below the flat surface of a
+//  lattice, from the first layer on
+std::vector<double> gradientsOfLayers
 (
     const smoothingKernel& kernel,
-    const double spacing,
-    const double s
+    const double spacing
 )
 {
-    const int n = 200;
-    const double step = (kernel.support() - s)/n;
-    double sum = 0;
+    // What each plane of the lattice adds to a particle that many layers away
+    const int n = int(kernel.support()/spacing);
+    const int nAcross = kernel.dimensions() == 3 ? n : 0;
+    const double V = std::pow(spacing, kernel.dimensions());
+    std::vector<double> plane(n + 1, 0);
     kernel.visit([&](const auto& W)
     {
-        for (int i = 0; i < n; ++i)
+        for (int k = 1; k <= n; ++k)
         {
-            const double r = s + (i + 0.5)*step;
-            const double weight =
-                kernel.dimensions() == 3
-              ? M_PI*(r*r - s*s) : 2*std::sqrt(r*r - s*s);
-            sum -= weight*r*W.gradientOverR(r*r)*step;
+            for (int a = -n; a <= n; ++a)
+            {
+                for (int b = -nAcross; b <= nAcross; ++b)
+                {
+                    const double r2 = (a*a + b*b + k*k)*spacing*spacing;
+                    plane[k] -= V*k*spacing*W.gradientOverR(r2);
+                }
+            }
         }
     });
-    return sum*spacing;
+
+    // Planes above cancel as many below
+    std::vector<double> result(n, 0);
+    for (int layer = 0; layer < n; ++layer)
+    {
+        for (int k = layer + 1; k <= n; ++k)
+        {
+            result[layer] += plane[k];
+        }
+    }
+    return result;
 }
 
 
@@ -174,10 +188,9 @@ Foam::melt::surfaceHeating::surfaceHeating
     const smoothingKernel& kernel = system.near.kernel();
     const double spacing = system.spacing;
     double counted = 0;
-    for (double s = 0.5*spacing; s < kernel.support(); s += spacing)
+    for (const double gradient : gradientsOfLayers(kernel, spacing))
     {
-        const double area = areaOfLayer(kernel, spacing, s);
-        counted += area*kernel.h() >= least*spacing ? area : 0;
+        counted += gradient*kernel.h() >= least ? gradient*spacing : 0;
     }
     areaFactor_ = 1/counted;
 }

@@ -70,7 +70,7 @@ TEST(SurfaceHeating, areasAndNormalsOfABlock)
             EXPECT_NEAR(e.normal[k].z(), 1, 1e-6);
         }
     }
-    EXPECT_NEAR(top/0.01, 1, 0.02);
+    EXPECT_NEAR(top/0.01, 1, 1e-9);
 }
 
 
