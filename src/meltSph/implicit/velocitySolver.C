@@ -9,6 +9,37 @@
 #include "dimensionSets.H"
 #include "sphSystem.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using Foam::melt::vectorArray;
+
+void timesMass(vectorArray& a, const std::vector<double>& m)
+{
+    for (int i = 0; i < a.size(); ++i)
+    {
+        a.x[i] *= m[i];
+        a.y[i] *= m[i];
+        a.z[i] *= m[i];
+    }
+}
+
+
+void overMass(vectorArray& a, const std::vector<double>& m)
+{
+    for (int i = 0; i < a.size(); ++i)
+    {
+        a.x[i] /= m[i];
+        a.y[i] /= m[i];
+        a.z[i] /= m[i];
+    }
+}
+
+} // End anonymous namespace
+
+
 Foam::melt::velocitySolver::velocitySolver(const dictionary& dict)
 :
     tolerance_
@@ -102,6 +133,12 @@ bool Foam::melt::velocitySolver::solve
     start_.y = f.v;
     start_.z = f.w;
     r_.resize(n);
+    if (solids_)
+    {
+        timesMass(v_, f.m);
+        solids_->project(v_);
+        overMass(v_, f.m);
+    }
 
     for (implicitOperator* o : operators_)
     {
@@ -133,6 +170,10 @@ bool Foam::melt::velocitySolver::solve
     {
         product_.build(system, parts);
     }
+    if (solids_)
+    {
+        solids_->project(r_);
+    }
 
     const auto apply = [&](const vectorArray& p, vectorArray& Ap)
     {
@@ -152,6 +193,10 @@ bool Foam::melt::velocitySolver::solve
             Ap.y[i] = f.m[i]*p.y[i] + k*Ap.y[i];
             Ap.z[i] = f.m[i]*p.z[i] + k*Ap.z[i];
         }
+        if (solids_)
+        {
+            solids_->project(Ap);
+        }
     };
     const auto precondition = [&](const vectorArray& r, vectorArray& z)
     {
@@ -163,6 +208,16 @@ bool Foam::melt::velocitySolver::solve
             z.x[i] = b[0][i]*x + b[1][i]*y + b[2][i]*w;
             z.y[i] = b[1][i]*x + b[3][i]*y + b[4][i]*w;
             z.z[i] = b[2][i]*x + b[4][i]*y + b[5][i]*w;
+        }
+        // Of bodies their mass alone: r is that of a rigid motion already
+        for (int i = 0; solids_ && i < n; ++i)
+        {
+            if (solids_->solid(i))
+            {
+                z.x[i] = r.x[i]/f.m[i];
+                z.y[i] = r.y[i]/f.m[i];
+                z.z[i] = r.z[i]/f.m[i];
+            }
         }
     };
     const auto impulse = [&](const vectorArray& v)

@@ -42,7 +42,8 @@ void Foam::melt::particles::resize(const int n)
 
 std::size_t Foam::melt::particles::bytes() const
 {
-    std::size_t n = sizeof(int)*id.capacity();
+    std::size_t n = sizeof(int)
+       *(id.capacity() + body.capacity() + anchored.capacity());
     for (const array* a : const_cast<particles*>(this)->arrays())
     {
         n += sizeof(double)*a->capacity();
@@ -74,12 +75,19 @@ void Foam::melt::particles::permute(const std::vector<int>& order)
         sorted.resize(n);
     }
 
-    std::vector<int> sortedId(n);
-    for (int i = 0; i < n; ++i)
+    for (std::vector<int>* a : {&id, &body, &anchored})
     {
-        sortedId[i] = id[order[i]];
+        if (a->empty())
+        {
+            continue;
+        }
+        std::vector<int> sortedLabels(n);
+        for (int i = 0; i < n; ++i)
+        {
+            sortedLabels[i] = (*a)[order[i]];
+        }
+        a->swap(sortedLabels);
     }
-    id.swap(sortedId);
 }
 
 // ************************************************************************* //

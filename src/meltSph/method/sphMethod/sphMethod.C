@@ -151,6 +151,14 @@ void Foam::melt::sphMethod::bindFields()
     particles& f = system_.fluid;
 
     cloud_.addLabel("origId", f.id);
+    if (!f.body.empty())
+    {
+        cloud_.addLabel("body", f.body, false);
+    }
+    if (!f.anchored.empty())
+    {
+        cloud_.addLabel("anchored", f.anchored, false);
+    }
     cloud_.addVector("U", f.u, f.v, f.w);
     cloud_.addScalar("T", f.T);
     cloud_.addScalar("h", f.h);

@@ -84,6 +84,15 @@ void Foam::melt::pressureOperator::update(const double deltaT)
         p0_[i] = on ? p : 0;
         stiffness_[i] = on ? deltaT*f.rho[i]*c2 : 0;
     }
+    // The pressure on a solid is that of the liquid
+    for (int i = 0; i < int(system_.solid.size()); ++i)
+    {
+        if (system_.solid[i])
+        {
+            p0_[i] = 0;
+            stiffness_[i] = 0;
+        }
+    }
     setWallGradient();
 }
 

@@ -96,6 +96,7 @@ Foam::word Foam::melt::incompressible::step(const scalar dt)
 
     keepState();
     equations_.evaluate();
+    equations_.startStep();
 
     // Without a step before, or after a much shorter one: backward Euler
     const scalar ratio = lastDeltaT_ > 0 ? dt/lastDeltaT_ : GREAT;
@@ -176,9 +177,12 @@ void Foam::melt::incompressible::move(const scalar dt)
         )
     );
 
-    // No further than a spacing at a time: nothing passes a wall unseen
+    // No further than a spacing at a time: nothing passes a wall unseen. Solids
+    // move over the whole step
     const int pieces =
-        max(1, int(std::ceil(dt*fastest/system_.spacing)));
+        equations_.solids()
+      ? 1
+      : max(1, int(std::ceil(dt*fastest/system_.spacing)));
     const double part = dt/pieces;
     for (int piece = 0; piece < pieces; ++piece)
     {
@@ -196,6 +200,7 @@ void Foam::melt::incompressible::move(const scalar dt)
             }
         }
 
+        equations_.moveSolids(dt);
         wallContacts_ += keepInFrontOfWalls(system_.near, system_.walls, f);
         updateNeighbours(part*fastest);
     }

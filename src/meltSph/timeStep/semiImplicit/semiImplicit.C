@@ -36,6 +36,7 @@ bool Foam::melt::semiImplicit::step(const scalar dt)
     const bool heat = !f.dH.empty();
     const bool xsph = !f.du.empty();
 
+    equations_.startStep();
     before_.x = f.u;
     before_.y = f.v;
     before_.z = f.w;
@@ -81,6 +82,7 @@ bool Foam::melt::semiImplicit::step(const scalar dt)
 
     system_.heatReceived += dt*system_.heatFromWalls;
 
+    equations_.moveSolids(dt);
     wallContacts_ += keepInFrontOfWalls(system_.near, system_.walls, f);
     updateNeighbours(std::sqrt(longest2));
     equations_.advanceHeat(dt);

@@ -49,6 +49,12 @@ Foam::melt::sphEquations::sphEquations
             solver_.add(*force);
         }
     }
+
+    if (dict.found("solids"))
+    {
+        solids_ = solidModel::New(dict.subDict("solids"), system_);
+        solver_.constrain(solids_.get());
+    }
 }
 
 
@@ -57,6 +63,10 @@ void Foam::melt::sphEquations::allocate()
     for (rateTerm& term : terms_)
     {
         term.allocate();
+    }
+    if (solids_.valid())
+    {
+        solids_->allocate();
     }
 }
 
@@ -67,6 +77,11 @@ void Foam::melt::sphEquations::evaluate()
     const int n = f.size();
     const enthalpyCurve curve = system_.thermo.enthalpy();
     const bool heat = !f.dH.empty();
+
+    if (solids_.valid())
+    {
+        solids_->update();
+    }
 
     #pragma omp parallel for schedule(static)
     for (int i = 0; i < n; ++i)
@@ -99,8 +114,16 @@ void Foam::melt::sphEquations::evaluate()
         addProfiling(rates, term.type());
         term.addRates();
     }
+    if (solids_.valid())
+    {
+        solids_->setProperties();
+    }
     addProfiling(pairs, "pairRates");
     system_.heatFromWalls = system_.pairs.add(system_.near, system_.walls, f);
+    if (solids_.valid())
+    {
+        solids_->projectRates();
+    }
 }
 
 
@@ -124,6 +147,10 @@ void Foam::melt::sphEquations::setDensityRate()
     {
         velocityGradient(system_.near, system_.walls, system_.fluid, false);
     }
+    if (solids_.valid())
+    {
+        solids_->holdDensity();
+    }
 }
 
 
@@ -145,6 +172,10 @@ void Foam::melt::sphEquations::report(Ostream& os) const
         term.report(os);
     }
     solver_.report(os);
+    if (solids_.valid())
+    {
+        solids_->report(os);
+    }
 }
 
 
