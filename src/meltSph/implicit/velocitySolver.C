@@ -157,6 +157,10 @@ bool Foam::melt::velocitySolver::solve
             r_.y[i] = f.m[i]*(start_.y[i] - v_.y[i]) + deltaT*r_.y[i];
             r_.z[i] = f.m[i]*(start_.z[i] - v_.z[i]) + deltaT*r_.z[i];
         }
+        if (solids_)
+        {
+            solids_->project(r_);
+        }
     };
 
     implicitParts parts;
@@ -169,10 +173,6 @@ bool Foam::melt::velocitySolver::solve
     if (described)
     {
         product_.build(system, parts);
-    }
-    if (solids_)
-    {
-        solids_->project(r_);
     }
 
     const auto apply = [&](const vectorArray& p, vectorArray& Ap)

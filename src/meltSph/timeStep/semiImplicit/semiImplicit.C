@@ -68,12 +68,9 @@ bool Foam::melt::semiImplicit::step(const scalar dt)
             f.h[i] += dt*f.dH[i];
         }
 
-        const double dx =
-            dt*(0.5*(before_.x[i] + f.u[i]) + (xsph ? f.du[i] : 0));
-        const double dy =
-            dt*(0.5*(before_.y[i] + f.v[i]) + (xsph ? f.dv[i] : 0));
-        const double dz =
-            dt*(0.5*(before_.z[i] + f.w[i]) + (xsph ? f.dw[i] : 0));
+        const double dx = dt*(f.u[i] + (xsph ? f.du[i] : 0));
+        const double dy = dt*(f.v[i] + (xsph ? f.dv[i] : 0));
+        const double dz = dt*(f.w[i] + (xsph ? f.dw[i] : 0));
         f.x[i] += dx;
         f.y[i] += dy;
         f.z[i] += dz;
