@@ -74,6 +74,10 @@ void Foam::melt::velocityProduct::setPairs()
     reserve();
     kernel.visit([&](const auto& W)
     {
+        // At the end of the support k = 1/(V V F r^2) would overflow where its
+        // product with g g vanishes
+        const double least = 1e-12*W.gradientOverR(h*h);
+
         system_->near.fluid().forEach([&](const int i, const auto& row)
         {
             const double xi = x[i], yi = y[i], zi = z[i];
@@ -88,13 +92,14 @@ void Foam::melt::velocityProduct::setPairs()
                 const int j = row[k];
                 const double dx = xi - x[j], dy = yi - y[j], dz = zi - z[j];
                 const double r2 = dx*dx + dy*dy + dz*dz;
-                const double c = Vi*V[j]*W.gradientOverR(r2);
+                const double F = W.gradientOverR(r2);
+                const double c = Vi*V[j]*F;
                 const double mean = etai*eta[j]/(etai + eta[j]);
                 pairs[k].a[0] = float(c*dx);
                 pairs[k].a[1] = float(c*dy);
                 pairs[k].a[2] = float(c*dz);
                 pairs[k].a[3] =
-                    float(c < 0 ? factor*mean/(c*(r2 + 0.01*h*h)) : 0);
+                    float(F < least ? factor*mean/(c*(r2 + 0.01*h*h)) : 0);
             }
 
             // Without those in the skin and the particle itself

@@ -72,16 +72,15 @@ struct productCase
 };
 
 
-particleCloud lump(const unsigned seed, const bool wall)
+particleCloud lump
+(
+    const unsigned seed,
+    const bool wall,
+    const smoothingKernel::kernelType kernel =
+        smoothingKernel::kernelType::wendlandC2
+)
 {
-    particleCloud cloud
-    (
-        lattice
-        {
-            {7, 8, 6}, 0.01, smoothingKernel::kernelType::wendlandC2, 1.3, 0.2
-        },
-        seed
-    );
+    particleCloud cloud(lattice{{7, 8, 6}, 0.01, kernel, 1.3, 0.2}, seed);
     cloud.randomiseDensity(0.01);
     for (double& eta : cloud.fluid.eta)
     {
@@ -141,6 +140,27 @@ TEST_P(VelocityProduct, isThatOfTheOperatorsToSinglePrecision)
         difference.add(1, expected);
         EXPECT_GT(scale, 0);
         EXPECT_LT(norm(difference), 2e-6*scale);
+    }
+}
+
+
+// The quintic spline falls to 1e-30 of itself before its support ends
+TEST_P(VelocityProduct, isFiniteAtTheEndOfTheSupport)
+{
+    particleCloud cloud
+    (
+        lump(9, false, smoothingKernel::kernelType::quinticSpline)
+    );
+    double& x = cloud.fluid.x[0];
+    const double support = cloud.near.kernel().support();
+    for (const double share : {1 - 1e-5, 1 - 1e-7, 1 - 1e-10})
+    {
+        x = cloud.fluid.x[1] + share*support;
+        cloud.fluid.y[0] = cloud.fluid.y[1];
+        cloud.fluid.z[0] = cloud.fluid.z[1];
+        productCase test(cloud, GetParam());
+        const vectorArray Kv(test.apply(randomVelocity(cloud)));
+        EXPECT_TRUE(std::isfinite(dot(Kv, Kv))) << share;
     }
 }
 
