@@ -105,7 +105,7 @@ TEST(EulerianMethod, fullBoxStaysFull)
     );
     const meltScene scene(files.mesh(), 0.1);
     eulerianMethod method(files.mesh(), scene);
-    for (label step = 0; step < 20; ++step)
+    for (label step = 0; step < 6; ++step)
     {
         method.advance(min(method.maxDeltaT(), 1.0));
     }
