@@ -266,7 +266,13 @@ bool Foam::melt::velocitySolver::solve
         lastResidual_ = result.residual;
         converged =
             result.converged && (!described || result.iterations == 0);
-        if (!result.converged)
+        if (!result.converged && described)
+        {
+            // A contrast of viscosities beyond single precision
+            described = false;
+            v_ = guess;
+        }
+        else if (!result.converged)
         {
             break;
         }
