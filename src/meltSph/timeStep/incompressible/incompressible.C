@@ -118,10 +118,26 @@ Foam::word Foam::melt::incompressible::step(const scalar dt)
     {
         guess_.add(dt, lastA_);
     }
-    if (!equations_.implicitUpdate(now, guess_))
+    predicted_.x = f.u;
+    predicted_.y = f.v;
+    predicted_.z = f.w;
+    for (label nSolved = 1; ; ++nSolved)
     {
-        restoreState();
-        return "no convergence";
+        if (!equations_.implicitUpdate(now, guess_))
+        {
+            restoreState();
+            return "no convergence";
+        }
+        if (equations_.couple(nSolved))
+        {
+            break;
+        }
+        guess_.x = f.u;
+        guess_.y = f.v;
+        guess_.z = f.w;
+        f.u = predicted_.x;
+        f.v = predicted_.y;
+        f.w = predicted_.z;
     }
 
     equations_.setDensityRate();

@@ -136,6 +136,17 @@ void Foam::melt::sphEquations::advanceHeat(const scalar deltaT)
 }
 
 
+bool Foam::melt::sphEquations::couple(const label nSolved)
+{
+    bool coupled = true;
+    for (rateTerm& term : terms_)
+    {
+        coupled = term.couple(nSolved) && coupled;
+    }
+    return coupled;
+}
+
+
 void Foam::melt::sphEquations::setDensityRate()
 {
     bool isSet = false;

@@ -7,6 +7,11 @@
 #include "implicitViscosity.H"
 #include "addToRunTimeSelectionTable.H"
 #include "apparentViscosity.H"
+#include "blockSum.H"
+#include "checkedEntry.H"
+#include "dimensionSets.H"
+#include "velocityGradient.H"
+#include "wallExtrapolation.H"
 
 namespace Foam
 {
@@ -25,7 +30,25 @@ Foam::melt::implicitViscosity::implicitViscosity
 )
 :
     rateTerm(system),
-    operator_(viscousOperator::New(dict, system))
+    operator_(viscousOperator::New(dict, system)),
+    maxSolves_
+    (
+        dict.getCheckOrDefault<label>("maxSolves", 1, labelMinMax::ge(1))
+    ),
+    etaTolerance_
+    (
+        checkedEntry::getOrDefault
+        (
+            dict, "etaTolerance", dimless, checkedEntry::positive(), 0.05
+        )
+    ),
+    etaRelaxation_
+    (
+        checkedEntry::getOrDefault
+        (
+            dict, "etaRelaxation", dimless, checkedEntry::positiveUpTo(1), 0.5
+        )
+    )
 {
     system_.deformation = true;
 }
@@ -49,6 +72,61 @@ void Foam::melt::implicitViscosity::addRates()
     (
         system_.rheology, system_.fluid, system_.generalisedNewtonian
     );
+}
+
+
+bool Foam::melt::implicitViscosity::couple(const label nSolved)
+{
+    ++nSolves_;
+    nSteps_ += nSolved == 1;
+    if (maxSolves_ == 1)
+    {
+        return true;
+    }
+
+    particles& f = system_.fluid;
+    const int n = f.size();
+    etaSolved_ = f.eta;
+    wallExtrapolation(system_.near, f, system_.g, system_.walls);
+    velocityGradient(system_.near, system_.walls, f, true);
+    setViscosityAndStress(system_.rheology, f);
+
+    lastChange_ = n ? parallelMax
+    (
+        n,
+        [&](const int i)
+        {
+            return std::abs(std::log(f.eta[i]/etaSolved_[i]));
+        }
+    ) : 0;
+    if (lastChange_ <= etaTolerance_)
+    {
+        return true;
+    }
+    if (nSolved == maxSolves_)
+    {
+        ++nNotCoupled_;
+        return true;
+    }
+
+    #pragma omp parallel for schedule(static)
+    for (int i = 0; i < n; ++i)
+    {
+        f.eta[i] =
+            etaSolved_[i]*std::pow(f.eta[i]/etaSolved_[i], etaRelaxation_);
+    }
+    return false;
+}
+
+
+void Foam::melt::implicitViscosity::report(Ostream& os) const
+{
+    if (maxSolves_ > 1 && nSteps_)
+    {
+        os  << "     viscosity: " << scalar(nSolves_)/nSteps_
+            << " solves a step, last change of log(eta) " << lastChange_
+            << ", steps that ended above etaTolerance: " << nNotCoupled_ << nl;
+    }
 }
 
 // ************************************************************************* //

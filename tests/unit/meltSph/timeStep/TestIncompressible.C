@@ -160,4 +160,25 @@ TEST(Incompressible, takesNoExplicitPressure)
     );
 }
 
+
+TEST(Incompressible, badCoupling)
+{
+    for
+    (
+        const std::string entry :
+        {"maxSolves 0;", "etaTolerance 0;", "etaRelaxation 2;"}
+    )
+    {
+        EXPECT_THROW
+        (
+            schemeCase
+            (
+                lump(6),
+                numerics() + " viscosity { maxSolves 2; " + entry + " }"
+            ),
+            Foam::IOerror
+        ) << entry;
+    }
+}
+
 // ************************************************************************* //
