@@ -26,6 +26,8 @@ void Foam::melt::pressureOperator::setWallGradient()
 
     wallGradient_.resize(n);
     wallDivergence_.resize(n);
+    wallWeight_.resize(n);
+    const std::array<double, 3>& g = system_.g;
 
     system_.near.kernel().visit([&](const auto& W)
     {
@@ -33,6 +35,7 @@ void Foam::melt::pressureOperator::setWallGradient()
         for (int i = 0; i < n; ++i)
         {
             double bx = 0, by = 0, bz = 0, divergence = 0;
+            double wx = 0, wy = 0, wz = 0;
             const auto row = system_.near.walls().sourcesOf(i);
 
             // A wall does not pull
@@ -55,11 +58,22 @@ void Foam::melt::pressureOperator::setWallGradient()
                       + walls.wallV[j]*dy
                       + walls.wallW[j]*dz
                     );
+
+                const double weight = 0.5*c*std::max
+                (
+                    -p0_[i], -f.rho[i]*(g[0]*dx + g[1]*dy + g[2]*dz)
+                );
+                wx -= weight*dx;
+                wy -= weight*dy;
+                wz -= weight*dz;
             }
             wallGradient_.x[i] = bx;
             wallGradient_.y[i] = by;
             wallGradient_.z[i] = bz;
             wallDivergence_[i] = divergence;
+            wallWeight_.x[i] = f.V[i]*wx;
+            wallWeight_.y[i] = f.V[i]*wy;
+            wallWeight_.z[i] = f.V[i]*wz;
         }
     });
 }
@@ -130,6 +144,10 @@ void Foam::melt::pressureOperator::addForce
             p_.data(), system_.fluid.V.data(), wallGradient_, force
         )
     );
+    if (walls)
+    {
+        force.add(sources, wallWeight_);
+    }
 }
 
 
@@ -182,7 +200,7 @@ void Foam::melt::pressureOperator::divergence(std::vector<double>& div) const
 std::size_t Foam::melt::pressureOperator::bytes() const
 {
     return
-        wallGradient_.bytes()
+        wallGradient_.bytes() + wallWeight_.bytes()
       + sizeof(double)
        *(
             p0_.capacity() + p_.capacity() + stiffness_.capacity()

@@ -166,6 +166,40 @@ TEST(PressureOperator, keepsBothMomenta)
 }
 
 
+// Melt at rest under its own weight: the floor carries its lowest layer as the
+// melt below carries the others
+TEST(PressureOperator, floorCarriesTheWeight)
+{
+    const smoothingKernel::kernelType kernel =
+        smoothingKernel::kernelType::wendlandC2;
+    particleCloud cloud(lattice{{9, 9, 9}, 0.01, kernel, 1.3});
+    cloud.addWall(1, false);
+    cloud.build();
+
+    operatorCase test(cloud, 0);
+    sphSystem& s = test.scheme.system;
+    particles& f = s.fluid;
+    s.g = {0, -10, 0};
+    const double rho0 = s.thermo.rho();
+    for (int i = 0; i < f.size(); ++i)
+    {
+        f.rho[i] = rho0*(1 + 10*(0.09 - f.y[i])/400);
+        f.V[i] = f.m[i]/f.rho[i];
+    }
+    test.pressure.update(0);
+
+    const vectorArray force(test.force(vectorArray(f.size()), 1));
+    for (int i = 0; i < f.size(); ++i)
+    {
+        if (std::abs(f.x[i] - 0.045) < 1e-6 && std::abs(f.z[i] - 0.045) < 1e-6
+         && f.y[i] < 0.05)
+        {
+            EXPECT_NEAR(force.y[i]/(10*f.m[i]), 1, 0.03) << f.y[i];
+        }
+    }
+}
+
+
 // In a step of no length the pressure is that of the state
 TEST(PressureOperator, withoutAStepIsTheExplicitForce)
 {
