@@ -236,7 +236,7 @@ Foam::melt::surfaceElements Foam::melt::surfaceHeating::elements()
 }
 
 
-Foam::scalar Foam::melt::surfaceHeating::addRates
+Foam::scalar Foam::melt::surfaceHeating::heat
 (
     const scalar time,
     const scalar deltaT
@@ -248,7 +248,15 @@ Foam::scalar Foam::melt::surfaceHeating::addRates
         return 0;
     }
     particles& f = system_.fluid;
-    const enthalpyCurve& curve = system_.thermo.enthalpy();
+    const enthalpyCurve curve = system_.thermo.enthalpy();
+
+    #pragma omp parallel for schedule(static)
+    for (int i = 0; i < f.size(); ++i)
+    {
+        f.V[i] = f.m[i]/f.rho[i];
+        f.T[i] = curve.T(f.h[i]);
+    }
+
     const surfaceElements e(elements());
     const absorbedHeat absorbed
     (
@@ -264,11 +272,11 @@ Foam::scalar Foam::melt::surfaceHeating::addRates
     forAll(e.position, k)
     {
         const int i = particle_[k];
-        const scalar power =
-            absorbed.power[k]
+        const scalar heat =
+            deltaT*absorbed.power[k]
            /(1 + absorbed.slope[k]*deltaT/(f.m[i]*curve.Cp(f.h[i])));
-        f.dH[i] += power/f.m[i];
-        sum += power;
+        f.h[i] += heat/f.m[i];
+        sum += heat;
     }
 
     if (sources_.inVolume())
@@ -283,8 +291,8 @@ Foam::scalar Foam::melt::surfaceHeating::addRates
         const scalarField power(sources_.heatVolume(time, positions, volumes));
         forAll(power, i)
         {
-            f.dH[i] += power[i]/f.m[i];
-            sum += power[i];
+            f.h[i] += deltaT*power[i]/f.m[i];
+            sum += deltaT*power[i];
         }
     }
     return sum;

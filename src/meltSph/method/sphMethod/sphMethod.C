@@ -347,6 +347,11 @@ Foam::melt::sphMethod::sphMethod(fvMesh& mesh, const meltScene& scene)
             << exit(FatalError);
     }
 
+    if (scene.effects()("heatSources"))
+    {
+        heating_.reset(new surfaceHeating(scene.dict(), system_));
+    }
+
     makeWalls();
     fill();
     scheme_->allocate();
@@ -389,6 +394,11 @@ void Foam::melt::sphMethod::advance(const scalar deltaT)
 {
     const std::uint64_t nBuilds = system_.near.nBuilds();
 
+    if (heating_.valid())
+    {
+        system_.heatReceived +=
+            heating_->heat(mesh_.time().value(), deltaT);
+    }
     try
     {
         scheme_->advance(deltaT);

@@ -27,6 +27,7 @@ Foam::melt::sphEquations::sphEquations
     };
 
     system_.generalisedNewtonian = effects("generalisedNewtonian");
+    heatSources_ = effects("heatSources");
 
     add("pressure");
     add("viscosity");
@@ -76,7 +77,7 @@ void Foam::melt::sphEquations::evaluate()
     particles& f = system_.fluid;
     const int n = f.size();
     const enthalpyCurve curve = system_.thermo.enthalpy();
-    const bool heat = !f.dH.empty();
+    const bool heat = heatSources_ || !f.dH.empty();
 
     if (solids_.valid())
     {
