@@ -128,17 +128,23 @@ bool Foam::melt::velocitySolver::solve
     particles& f = system.fluid;
     const int n = f.size();
 
-    v_ = guess;
     start_.x = f.u;
     start_.y = f.v;
     start_.z = f.w;
     r_.resize(n);
-    if (solids_)
+
+    // Bodies begin with a rigid motion, which projected residuals leave them
+    const auto setGuess = [&]()
     {
-        timesMass(v_, f.m);
-        solids_->project(v_);
-        overMass(v_, f.m);
-    }
+        v_ = guess;
+        if (solids_)
+        {
+            timesMass(v_, f.m);
+            solids_->project(v_);
+            overMass(v_, f.m);
+        }
+    };
+    setGuess();
 
     for (implicitOperator* o : operators_)
     {
@@ -270,7 +276,7 @@ bool Foam::melt::velocitySolver::solve
         {
             // A contrast of viscosities beyond single precision
             described = false;
-            v_ = guess;
+            setGuess();
         }
         else if (!result.converged)
         {

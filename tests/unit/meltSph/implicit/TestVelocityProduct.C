@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "adjointViscosity.H"
+#include "meltSph/particleCloud/cloudVectors.H"
 #include "meltSph/timeStep/schemeCase.H"
 #include "pressureOperator.H"
 #include "velocityProduct.H"
@@ -92,22 +93,6 @@ particleCloud lump
         cloud.build();
     }
     return cloud;
-}
-
-
-vectorArray randomVelocity(particleCloud& cloud)
-{
-    vectorArray v(cloud.size());
-    cloud.randomise(v.x, -1, 1);
-    cloud.randomise(v.y, -1, 1);
-    cloud.randomise(v.z, -1, 1);
-    return v;
-}
-
-
-double norm(const vectorArray& a)
-{
-    return std::sqrt(dot(a, a));
 }
 
 

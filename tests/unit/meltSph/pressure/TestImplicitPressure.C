@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "implicitPressure.H"
+#include "meltSph/particleCloud/cloudVectors.H"
 #include "meltSph/timeStep/schemeCase.H"
 #include "meltUnitTests.H"
 #include "pressureForce.H"
@@ -40,22 +41,6 @@ particleCloud lump(const unsigned seed)
     );
     cloud.randomiseDensity(0.01);
     return cloud;
-}
-
-
-vectorArray randomVelocity(particleCloud& cloud)
-{
-    vectorArray v(cloud.size());
-    cloud.randomise(v.x, -1, 1);
-    cloud.randomise(v.y, -1, 1);
-    cloud.randomise(v.z, -1, 1);
-    return v;
-}
-
-
-double norm(const vectorArray& a)
-{
-    return std::sqrt(dot(a, a));
 }
 
 

@@ -6,6 +6,7 @@
 
 #include "velocitySolver.H"
 #include "viscousOperator.H"
+#include "meltSph/particleCloud/cloudVectors.H"
 #include "meltSph/timeStep/schemeCase.H"
 
 #include <gtest/gtest.h>
@@ -79,22 +80,6 @@ struct operatorCase
         return f;
     }
 };
-
-
-vectorArray randomVelocity(particleCloud& cloud)
-{
-    vectorArray v(cloud.size());
-    cloud.randomise(v.x, -1, 1);
-    cloud.randomise(v.y, -1, 1);
-    cloud.randomise(v.z, -1, 1);
-    return v;
-}
-
-
-double norm(const vectorArray& a)
-{
-    return std::sqrt(dot(a, a));
-}
 
 
 class ViscousOperator
