@@ -218,7 +218,7 @@ void Foam::melt::velocityProduct::setStress(const vectorArray& v)
                 }
             }
 
-            const double eta = parts_.adjointShare*f.eta[i];
+            const double eta = (*parts_.eta)[i];
             const double mean =
                 2*eta*(gL[0][0] + gL[1][1] + gL[2][2])/dimensions;
             double S[3][3];

@@ -55,6 +55,13 @@ Foam::melt::velocitySolver::velocitySolver(const dictionary& dict)
         (
             "maxIterations", 1000, labelMinMax::ge(1)
         )
+    ),
+    coarseSpacing_
+    (
+        checkedEntry::getOrDefault
+        (
+            dict, "coarseSpacing", dimless, scalarMinMax::ge(0), 5
+        )
     )
 {}
 
@@ -133,16 +140,21 @@ bool Foam::melt::velocitySolver::solve
     start_.z = f.w;
     r_.resize(n);
 
+    // The rigid motions of the same momenta
+    const auto makeRigid = [&](vectorArray& v)
+    {
+        if (solids_)
+        {
+            timesMass(v, f.m);
+            solids_->project(v);
+            overMass(v, f.m);
+        }
+    };
     // Bodies begin with a rigid motion, which projected residuals leave them
     const auto setGuess = [&]()
     {
         v_ = guess;
-        if (solids_)
-        {
-            timesMass(v_, f.m);
-            solids_->project(v_);
-            overMass(v_, f.m);
-        }
+        makeRigid(v_);
     };
     setGuess();
 
@@ -180,6 +192,13 @@ bool Foam::melt::velocitySolver::solve
     {
         product_.build(system, parts);
     }
+    const bool coarse =
+        coarseSpacing_ > 0
+     && coarse_.build
+        (
+            system, parts, product_.wallBlocks(), deltaT,
+            coarseSpacing_*system.spacing
+        );
 
     const auto apply = [&](const vectorArray& p, vectorArray& Ap)
     {
@@ -224,6 +243,11 @@ bool Foam::melt::velocitySolver::solve
                 z.y[i] = r.y[i]/f.m[i];
                 z.z[i] = r.z[i]/f.m[i];
             }
+        }
+        if (coarse)
+        {
+            coarse_.addCorrection(r, z);
+            makeRigid(z);
         }
     };
     const auto impulse = [&](const vectorArray& v)
@@ -311,7 +335,7 @@ void Foam::melt::velocitySolver::report(Ostream& os) const
     }
 
     std::size_t bytes =
-        solver_.bytes() + product_.bytes() + v_.bytes() + start_.bytes() + r_.bytes()
+        solver_.bytes() + product_.bytes() + coarse_.bytes() + v_.bytes() + start_.bytes() + r_.bytes()
       + 6*sizeof(double)*inverse_[0].capacity();
     for (const implicitOperator* o : operators_)
     {

@@ -6,9 +6,11 @@
 
 #include "adjointViscosity.H"
 #include "addToRunTimeSelectionTable.H"
+#include "adjointBlockLaw.H"
 #include "adjointLaws.H"
 #include "checkedEntry.H"
 #include "dimensionSets.H"
+#include "harmonicViscosity.H"
 
 namespace Foam
 {
@@ -50,6 +52,11 @@ void Foam::melt::adjointViscosity::update(const double deltaT)
 
     central_.update(deltaT);
     gradientCorrection(system_, maxCondition_, L_);
+    harmonicViscosity(system_, eta_);
+    for (double& eta : eta_)
+    {
+        eta *= 1 - centralShare_;
+    }
 
     for (vectorArray& row : SL_)
     {
@@ -127,7 +134,7 @@ void Foam::melt::adjointViscosity::addForce
         system_.near, system_.walls, system_.fluid,
         stressOfVelocityLaw
         (
-            system_, 1 - centralShare_, L_, wallGradient_,
+            system_, eta_, L_, wallGradient_,
             wallVelocityGradient_, movingWalls_ ? sources : 0, v, SL_
         )
     );
@@ -147,13 +154,18 @@ void Foam::melt::adjointViscosity::addForce
 void Foam::melt::adjointViscosity::addDiagonal(blocks& diagonal) const
 {
     central_.addDiagonal(diagonal);
+    pairPass
+    (
+        system_.near, system_.walls, system_.fluid,
+        adjointBlockLaw(system_, eta_, L_, wallGradient_, diagonal)
+    );
 }
 
 
 bool Foam::melt::adjointViscosity::describe(implicitParts& p) const
 {
     p.L = &L_;
-    p.adjointShare = 1 - centralShare_;
+    p.eta = &eta_;
     p.viscousWall = &wallGradient_;
     return central_.describe(p);
 }
@@ -163,7 +175,7 @@ std::size_t Foam::melt::adjointViscosity::bytes() const
 {
     std::size_t n =
         central_.bytes() + wallGradient_.bytes()
-      + 6*sizeof(double)*L_[0].capacity();
+      + sizeof(double)*(6*L_[0].capacity() + eta_.capacity());
     for (int a = 0; a < 3; ++a)
     {
         n += SL_[a].bytes() + wallVelocityGradient_[a].bytes();

@@ -291,7 +291,7 @@ void Foam::melt::centralViscosity::addDiagonal(blocks& diagonal) const
         std::vector<double>& to = diagonal[component];
         for (std::size_t i = 0; i < from.size(); ++i)
         {
-            to[i] += from[i];
+            to[i] += share_*from[i];
         }
     }
 }

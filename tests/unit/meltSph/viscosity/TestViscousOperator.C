@@ -4,10 +4,11 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "velocitySolver.H"
-#include "viscousOperator.H"
+#include "harmonicViscosity.H"
 #include "meltSph/particleCloud/cloudVectors.H"
 #include "meltSph/timeStep/schemeCase.H"
+#include "velocitySolver.H"
+#include "viscousOperator.H"
 
 #include <gtest/gtest.h>
 
@@ -182,14 +183,101 @@ TEST(AdjointViscosity, dissipatesWhatShearingCostsUpToTheFreeSurface)
 
     // Simple shear at 2 1/s: the power is eta times the shear rate squared
     // times the volume, exactly, since the gradient of a linear field is
+    std::vector<double> eta;
+    harmonicViscosity(test.scheme.system, eta);
     vectorArray v(f.size());
     double power = 0;
     for (int i = 0; i < f.size(); ++i)
     {
         v.x[i] = 2*f.y[i];
-        power += f.eta[i]*4*f.V[i];
+        power += eta[i]*4*f.V[i];
     }
     EXPECT_NEAR(-dot(v, test.force(v)), power, 1e-10*power);
+}
+
+
+// Blocks of the preconditioner: the force on a particle that moves alone
+TEST_P(ViscousOperator, diagonalBlocksAreThoseOfTheOperator)
+{
+    for (const bool wall : {false, true})
+    {
+        particleCloud cloud(lump(6));
+        if (wall)
+        {
+            cloud.addWall(1, false);
+            cloud.build();
+        }
+        operatorCase test(cloud, GetParam());
+        implicitOperator::blocks blocks;
+        for (std::vector<double>& component : blocks)
+        {
+            component.assign(cloud.size(), 0);
+        }
+        test.viscous->addDiagonal(blocks);
+
+        for (int i = 0; i < cloud.size(); i += 17)
+        {
+            vectorArray v(cloud.size());
+            v.x[i] = 1;
+            const vectorArray f(test.force(v));
+            EXPECT_NEAR(-f.x[i], blocks[0][i], 1e-10*blocks[0][i]) << i;
+            EXPECT_NEAR(-f.y[i], blocks[1][i], 1e-10*blocks[0][i]) << i;
+            EXPECT_NEAR(-f.z[i], blocks[2][i], 1e-10*blocks[0][i]) << i;
+        }
+    }
+}
+
+
+// Two halves of different viscosities: harmonic between them, their own apart;
+// solids keep theirs and count for nothing
+TEST(HarmonicViscosity, isTheMeanOfFluiditiesWithinTheKernel)
+{
+    particleCloud cloud
+    (
+        lattice
+        {
+            {16, 5, 5}, 0.01, smoothingKernel::kernelType::wendlandC2, 1.2
+        }
+    );
+    const double thin = 1, stiff = 1e6, middle = 0.08;
+    for (int i = 0; i < cloud.size(); ++i)
+    {
+        cloud.fluid.eta[i] = cloud.fluid.x[i] < middle ? thin : stiff;
+    }
+    schemeCase scheme(cloud, springAndDamper(1, 0));
+    scheme.system.near = cloud.near;
+    scheme.system.walls = cloud.walls;
+    scheme.system.fluid = cloud.fluid;
+
+    std::vector<double> mean;
+    harmonicViscosity(scheme.system, mean);
+    const double reach = cloud.near.kernel().support();
+    for (int i = 0; i < cloud.size(); ++i)
+    {
+        const double distance = cloud.fluid.x[i] - middle;
+        if (std::abs(distance) > reach)
+        {
+            EXPECT_NEAR(mean[i]/cloud.fluid.eta[i], 1, 1e-12);
+        }
+        else if (distance > 0 && distance < 0.01)
+        {
+            // As much as a third of thin neighbours: between thin and 6 thin
+            EXPECT_GT(mean[i], thin);
+            EXPECT_LT(mean[i], 6*thin);
+        }
+    }
+
+    // The thin half solid
+    scheme.system.solid.assign(cloud.size(), 0);
+    for (int i = 0; i < cloud.size(); ++i)
+    {
+        scheme.system.solid[i] = cloud.fluid.x[i] < middle;
+    }
+    harmonicViscosity(scheme.system, mean);
+    for (int i = 0; i < cloud.size(); ++i)
+    {
+        EXPECT_NEAR(mean[i]/cloud.fluid.eta[i], 1, 1e-12);
+    }
 }
 
 

@@ -1,0 +1,203 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "coarseLevel.H"
+#include "sphSystem.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using Foam::melt::implicitParts;
+using Foam::melt::sphSystem;
+using Foam::melt::trilinearGrid;
+using Foam::melt::vectorArray;
+
+constexpr int nCorners = trilinearGrid::nCorners;
+
+//- Particles that are not on a lattice see a divergence in any strain: its
+//  square over that of the strain. From 0.03 on the pressure never makes the
+//  coarse level too soft; at 0.3 iterations of viscous melts begin to grow
+constexpr double disorder = 0.1;
+
+using vector = Eigen::Vector3d;
+using elementMatrix = Eigen::Matrix<double, 3*nCorners, 3*nCorners>;
+
+Eigen::Matrix3d block(const implicitParts::blocks& b, const int i)
+{
+    Eigen::Matrix3d a;
+    a <<
+        b[0][i], b[1][i], b[2][i],
+        b[1][i], b[3][i], b[4][i],
+        b[2][i], b[4][i], b[5][i];
+    return a;
+}
+
+
+vector at(const vectorArray* a, const int i)
+{
+    return a && a->size() ? vector(a->x[i], a->y[i], a->z[i]) : vector(0, 0, 0);
+}
+
+
+//- Add what particle i gives to the matrix of its cell
+void addParticle
+(
+    const sphSystem& system,
+    const implicitParts& p,
+    const implicitParts::blocks& wallBlocks,
+    const double deltaT,
+    const int i,
+    const trilinearGrid::shape& shape,
+    elementMatrix& A
+)
+{
+    const auto& f = system.fluid;
+    const int dimensions = system.near.kernel().dimensions();
+    const double V = f.V[i];
+    const double eta =
+        p.eta ? (*p.eta)[i]
+      : p.centralShare > 0 ? p.centralShare*f.eta[i]
+      : 0;
+    const double pressure = p.stiffness ? deltaT*V*(*p.stiffness)[i] : 0;
+    const double viscous = deltaT*V*eta + disorder*pressure;
+    Eigen::Matrix3d local = f.m[i]*Eigen::Matrix3d::Identity();
+    if (!wallBlocks[0].empty())
+    {
+        local += deltaT*block(wallBlocks, i);
+    }
+    vector b = at(p.viscousWall, i);
+    if (p.L)
+    {
+        b = block(*p.L, i)*b;
+    }
+    const vector bp = at(p.pressureWall, i);
+
+    vector s[nCorners], q[nCorners];
+    for (int a = 0; a < nCorners; ++a)
+    {
+        vector gradient(shape.gradient[a].data());
+        if (dimensions == 2)
+        {
+            gradient.z() = 0;
+        }
+        s[a] = gradient - shape.N[a]*b;
+        q[a] = gradient - shape.N[a]*bp;
+    }
+
+    for (int c = 0; c < nCorners; ++c)
+    {
+        const vector vs = viscous*s[c], vp = pressure*q[c];
+        for (int a = 0; a <= c; ++a)
+        {
+            Eigen::Matrix3d k =
+                shape.N[a]*shape.N[c]*local
+              + vs*s[a].transpose()
+              - (2.0/dimensions)*s[a]*vs.transpose()
+              + q[a]*vp.transpose();
+            k.diagonal().array() += s[a].dot(vs);
+            A.block<3, 3>(3*a, 3*c) += k;
+        }
+    }
+}
+
+} // End anonymous namespace
+
+// * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
+
+bool Foam::melt::coarseLevel::build
+(
+    const sphSystem& system,
+    const implicitParts& parts,
+    const implicitParts::blocks& wallBlocks,
+    const double deltaT,
+    const double cellSize
+)
+{
+    system_ = &system;
+    grid_.build(system.fluid, cellSize);
+
+    const int nCells = grid_.nCells();
+    const int n = 3*grid_.nNodes();
+    constexpr int nElement = 3*nCorners;
+    constexpr int nEntries = nElement*nElement;
+
+    std::vector<Eigen::Triplet<double>> entries
+    (
+        std::size_t(nCells)*nEntries
+    );
+    #pragma omp parallel for schedule(dynamic, 4)
+    for (int cell = 0; cell < nCells; ++cell)
+    {
+        elementMatrix A = elementMatrix::Zero();
+        grid_.forMembers
+        (
+            system.fluid, cell,
+            [&](const int i, const trilinearGrid::shape& shape)
+            {
+                addParticle
+                (
+                    system, parts, wallBlocks, deltaT, i, shape, A
+                );
+            }
+        );
+        A.triangularView<Eigen::StrictlyLower>() =
+            A.transpose().triangularView<Eigen::StrictlyLower>();
+
+        const std::array<int, nCorners>& corners = grid_.corners(cell);
+        for (int row = 0; row < nElement; ++row)
+        {
+            for (int column = 0; column < nElement; ++column)
+            {
+                entries[std::size_t(cell)*nEntries + nElement*row + column] =
+                {
+                    3*corners[row/3] + row%3,
+                    3*corners[column/3] + column%3,
+                    A(row, column)
+                };
+            }
+        }
+    }
+
+    Eigen::SparseMatrix<double> A(n, n);
+    A.setFromTriplets(entries.begin(), entries.end());
+
+    // Motions of nodes that move no particle have no inertia and no stress
+    constexpr double roundOff = 1e-12;
+    for (int row = 0; row < n; ++row)
+    {
+        double& diagonal = A.coeffRef(row, row);
+        diagonal = diagonal > 0 ? (1 + roundOff)*diagonal : 1;
+    }
+
+    nodes_.resize(n);
+    factor_.compute(A);
+    return factor_.info() == Eigen::Success;
+}
+
+
+void Foam::melt::coarseLevel::addCorrection
+(
+    const vectorArray& r,
+    vectorArray& z
+)
+{
+    grid_.restrict(system_->fluid, r, nodes_.data());
+    nodes_ = factor_.solve(nodes_);
+    grid_.addProlonged(system_->fluid, nodes_.data(), z);
+}
+
+
+std::size_t Foam::melt::coarseLevel::bytes() const
+{
+    return
+        grid_.bytes() + sizeof(double)*nodes_.size()
+      + (sizeof(double) + sizeof(int))
+       *(nodes_.size() ? factor_.matrixL().nestedExpression().nonZeros() : 0);
+}
+
+// ************************************************************************* //

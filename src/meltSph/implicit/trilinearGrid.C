@@ -1,0 +1,295 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "trilinearGrid.H"
+#include "particles.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using index = std::array<std::int64_t, 3>;
+
+//- Sorted, each once
+template<class Item>
+void makeSet(std::vector<Item>& a)
+{
+    std::sort(a.begin(), a.end());
+    a.erase(std::unique(a.begin(), a.end()), a.end());
+}
+
+
+template<class Item>
+int find(const std::vector<Item>& sorted, const Item& item)
+{
+    return std::lower_bound(sorted.begin(), sorted.end(), item) - sorted.begin();
+}
+
+
+//- Starts of the rows in which the items of each key lie, and the items
+void groupBy
+(
+    const std::vector<int>& keys,
+    const int nKeys,
+    std::vector<int>& starts,
+    std::vector<int>& items
+)
+{
+    starts.assign(nKeys + 1, 0);
+    for (const int key : keys)
+    {
+        ++starts[key + 1];
+    }
+    for (int key = 0; key < nKeys; ++key)
+    {
+        starts[key + 1] += starts[key];
+    }
+    items.resize(keys.size());
+    std::vector<int> next(starts.begin(), starts.end() - 1);
+    for (std::size_t i = 0; i < keys.size(); ++i)
+    {
+        items[next[keys[i]]++] = int(i);
+    }
+}
+
+} // End anonymous namespace
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+std::array<double, 3> Foam::melt::trilinearGrid::local
+(
+    const particles& f,
+    const int cell,
+    const int i
+) const
+{
+    const std::array<double, 3>& low = lowest_[cell];
+    return
+    {
+        (f.x[i] - low[0])/size_,
+        (f.y[i] - low[1])/size_,
+        (f.z[i] - low[2])/size_
+    };
+}
+
+
+std::array<double, Foam::melt::trilinearGrid::nCorners>
+Foam::melt::trilinearGrid::values(const std::array<double, 3>& s)
+{
+    const double lower[3] = {1 - s[0], 1 - s[1], 1 - s[2]};
+    std::array<double, nCorners> N;
+    for (int c = 0; c < nCorners; ++c)
+    {
+        N[c] =
+            (c & 1 ? s[0] : lower[0])
+           *(c & 2 ? s[1] : lower[1])
+           *(c & 4 ? s[2] : lower[2]);
+    }
+    return N;
+}
+
+
+void Foam::melt::trilinearGrid::setCorners(const std::vector<index>& cells)
+{
+    const auto corner = [](index cell, const int c)
+    {
+        for (int d = 0; d < 3; ++d)
+        {
+            cell[d] += (c >> d) & 1;
+        }
+        return cell;
+    };
+
+    std::vector<index> nodes;
+    nodes.reserve(nCorners*cells.size());
+    for (const index& cell : cells)
+    {
+        for (int c = 0; c < nCorners; ++c)
+        {
+            nodes.push_back(corner(cell, c));
+        }
+    }
+    makeSet(nodes);
+
+    corners_.resize(cells.size());
+    std::vector<int> nodeOf;
+    nodeOf.reserve(nCorners*cells.size());
+    for (std::size_t k = 0; k < cells.size(); ++k)
+    {
+        for (int c = 0; c < nCorners; ++c)
+        {
+            corners_[k][c] = find(nodes, corner(cells[k], c));
+            nodeOf.push_back(corners_[k][c]);
+        }
+    }
+    groupBy(nodeOf, int(nodes.size()), startAround_, around_);
+}
+
+// * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
+
+void Foam::melt::trilinearGrid::build
+(
+    const particles& f,
+    const double cellSize
+)
+{
+    const int n = f.size();
+    size_ = cellSize;
+
+    const auto cellAt = [&](const int i)
+    {
+        return index
+        {
+            std::int64_t(std::floor(f.x[i]/cellSize)),
+            std::int64_t(std::floor(f.y[i]/cellSize)),
+            std::int64_t(std::floor(f.z[i]/cellSize))
+        };
+    };
+
+    std::vector<index> cells(n);
+    for (int i = 0; i < n; ++i)
+    {
+        cells[i] = cellAt(i);
+    }
+    makeSet(cells);
+
+    std::vector<int> cellOf(n);
+    #pragma omp parallel for schedule(static)
+    for (int i = 0; i < n; ++i)
+    {
+        cellOf[i] = find(cells, cellAt(i));
+    }
+    groupBy(cellOf, int(cells.size()), startMembers_, members_);
+
+    lowest_.resize(cells.size());
+    for (std::size_t k = 0; k < cells.size(); ++k)
+    {
+        for (int d = 0; d < 3; ++d)
+        {
+            lowest_[k][d] = cellSize*double(cells[k][d]);
+        }
+    }
+    setCorners(cells);
+    cornerSums_.resize(cells.size());
+}
+
+
+Foam::melt::trilinearGrid::shape Foam::melt::trilinearGrid::at
+(
+    const particles& f,
+    const int cell,
+    const int i
+) const
+{
+    const std::array<double, 3> s = local(f, cell, i);
+    const double part[3][2] =
+    {
+        {1 - s[0], s[0]},
+        {1 - s[1], s[1]},
+        {1 - s[2], s[2]}
+    };
+    const double slope[2] = {-1/size_, 1/size_};
+
+    shape result;
+    result.N = values(s);
+    for (int c = 0; c < nCorners; ++c)
+    {
+        const int a = c & 1, b = (c >> 1) & 1, d = (c >> 2) & 1;
+        result.gradient[c] =
+        {
+            slope[a]*part[1][b]*part[2][d],
+            part[0][a]*slope[b]*part[2][d],
+            part[0][a]*part[1][b]*slope[d]
+        };
+    }
+    return result;
+}
+
+
+void Foam::melt::trilinearGrid::restrict
+(
+    const particles& f,
+    const vectorArray& r,
+    double* nodes
+)
+{
+    #pragma omp parallel for schedule(dynamic, 4)
+    for (int cell = 0; cell < nCells(); ++cell)
+    {
+        std::array<double, 3*nCorners> sums = {};
+        for (int k = startMembers_[cell]; k < startMembers_[cell + 1]; ++k)
+        {
+            const int i = members_[k];
+            const std::array<double, nCorners> N = values(local(f, cell, i));
+            for (int c = 0; c < nCorners; ++c)
+            {
+                sums[3*c] += N[c]*r.x[i];
+                sums[3*c + 1] += N[c]*r.y[i];
+                sums[3*c + 2] += N[c]*r.z[i];
+            }
+        }
+        cornerSums_[cell] = sums;
+    }
+
+    #pragma omp parallel for schedule(static)
+    for (int node = 0; node < nNodes(); ++node)
+    {
+        double sum[3] = {};
+        for (int k = startAround_[node]; k < startAround_[node + 1]; ++k)
+        {
+            const int cell = around_[k]/nCorners, c = around_[k]%nCorners;
+            for (int d = 0; d < 3; ++d)
+            {
+                sum[d] += cornerSums_[cell][3*c + d];
+            }
+        }
+        std::copy(sum, sum + 3, nodes + 3*node);
+    }
+}
+
+
+void Foam::melt::trilinearGrid::addProlonged
+(
+    const particles& f,
+    const double* nodes,
+    vectorArray& z
+) const
+{
+    #pragma omp parallel for schedule(dynamic, 4)
+    for (int cell = 0; cell < nCells(); ++cell)
+    {
+        for (int k = startMembers_[cell]; k < startMembers_[cell + 1]; ++k)
+        {
+            const int i = members_[k];
+            const std::array<double, nCorners> N = values(local(f, cell, i));
+            for (int c = 0; c < nCorners; ++c)
+            {
+                const double* const node = nodes + 3*corners_[cell][c];
+                z.x[i] += N[c]*node[0];
+                z.y[i] += N[c]*node[1];
+                z.z[i] += N[c]*node[2];
+            }
+        }
+    }
+}
+
+
+std::size_t Foam::melt::trilinearGrid::bytes() const
+{
+    return
+        sizeof(int)
+       *(
+            around_.capacity() + startAround_.capacity() + members_.capacity()
+          + startMembers_.capacity() + nCorners*corners_.capacity()
+        )
+      + 3*sizeof(double)
+       *(lowest_.capacity() + nCorners*cornerSums_.capacity());
+}
+
+// ************************************************************************* //
