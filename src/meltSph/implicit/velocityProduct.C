@@ -5,9 +5,11 @@
 \*---------------------------------------------------------------------------*/
 
 #include "velocityProduct.H"
+#include "pairViscosity.H"
 #include "sphSystem.H"
 
 #include <cstring>
+#include <numeric>
 
 namespace
 {
@@ -43,13 +45,17 @@ void Foam::melt::velocityProduct::reserve()
     const int n = system_->fluid.size();
     start_.assign(n + 1, 0);
     count_.assign(n, 0);
-    system_->near.fluid().forEach([&](const int i, const auto& row)
+    // Filled up to whole vectors, as the rows are
+    const auto size = [&](const int i)
     {
-        start_[i + 1] = row.size();
-    });
+        const int count =
+            system_->near.idle(i) ? 0 : system_->near.fluid().nPairs(i);
+        return (count + neighbourList::lanes - 1)/neighbourList::lanes
+           *neighbourList::lanes;
+    };
     for (int i = 0; i < n; ++i)
     {
-        start_[i + 1] += start_[i];
+        start_[i + 1] = start_[i] + size(i);
     }
     if (pairs_.size() < start_[n])
     {
@@ -68,8 +74,9 @@ void Foam::melt::velocityProduct::setPairs()
     const double* const V = f.V.data();
     const smoothingKernel& kernel = system_->near.kernel();
     const double h = kernel.h();
-    const double factor = -4*parts_.centralShare*(kernel.dimensions() + 2);
+    const double factor = -2*parts_.centralShare*(kernel.dimensions() + 2);
     const double* const eta = factor != 0 ? f.eta.data() : V;
+    const std::vector<char>& solid = system_->solid;
 
     reserve();
     kernel.visit([&](const auto& W)
@@ -77,8 +84,12 @@ void Foam::melt::velocityProduct::setPairs()
         // At the end of the support k = 1/(V V F r^2) would overflow where its
         // product with g g vanishes
         const double least = 1e-12*W.gradientOverR(h*h);
+        const auto active = [&](const int i)
+        {
+            return !system_->near.idle(i);
+        };
 
-        system_->near.fluid().forEach([&](const int i, const auto& row)
+        system_->near.fluid().forEach(active, [&](const int i, const auto& row)
         {
             const double xi = x[i], yi = y[i], zi = z[i];
             const double Vi = V[i], etai = eta[i];
@@ -94,7 +105,7 @@ void Foam::melt::velocityProduct::setPairs()
                 const double r2 = dx*dx + dy*dy + dz*dz;
                 const double F = W.gradientOverR(r2);
                 const double c = Vi*V[j]*F;
-                const double mean = etai*eta[j]/(etai + eta[j]);
+                const double mean = pairViscosity(etai, eta[j]);
                 pairs[k].a[0] = float(c*dx);
                 pairs[k].a[1] = float(c*dy);
                 pairs[k].a[2] = float(c*dz);
@@ -102,14 +113,19 @@ void Foam::melt::velocityProduct::setPairs()
                     float(F < least ? factor*mean/(c*(r2 + 0.01*h*h)) : 0);
             }
 
-            // Without those in the skin and the particle itself
+            // Without those in the skin and the particle itself; a solid feels
+            // liquid alone
+            const char* const dropped =
+                !solid.empty() && solid[i] ? solid.data() : nullptr;
             int count = 0;
             for (int k = 0; k < row.size(); ++k)
             {
                 const float4 g = load(pairs[k]);
                 store(pairs[count], g);
                 neighbours[count] = row[k];
-                count += (g[0] != 0) | (g[1] != 0) | (g[2] != 0);
+                count +=
+                    ((g[0] != 0) | (g[1] != 0) | (g[2] != 0))
+                  & !(dropped && dropped[row[k]]);
                 sum += g;
             }
             count_[i] = count;
@@ -354,6 +370,7 @@ void Foam::melt::velocityProduct::build
     Q_.resize(parts_.L ? n : 0);
     central_.resize(parts_.centralShare > 0 ? n : 0);
     setPairs();
+    nPairs_ = std::accumulate(count_.begin(), count_.end(), std::uint64_t(0));
 
     // What walls add to the diagonal of the central force: the rest of it
     for (std::vector<double>& component : wallBlocks_)
@@ -400,6 +417,7 @@ void Foam::melt::velocityProduct::apply(const vectorArray& v, vectorArray& Kv)
         v_[i] = quad{{float(v.x[i]), float(v.y[i]), float(v.z[i]), 0}};
     }
 
+    system_->near.countPairs(2*nPairs_);
     const bool central = parts_.centralShare > 0;
     if (parts_.L)
     {

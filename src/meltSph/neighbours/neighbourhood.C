@@ -76,8 +76,39 @@ void Foam::melt::neighbourhood::build(particles& fluid, const wallState& walls)
         );
     }
 
+    idle_.clear();
+    nIdlePairs_ = 0;
     moved_ = 0;
     ++nBuilds_;
+}
+
+
+void Foam::melt::neighbourhood::setIdle(const std::vector<int>& body)
+{
+    const int n = int(body.size());
+    idle_.assign(n, 0);
+    fluid_.forEach
+    (
+        [&](const int i) { return body[i] >= 0; },
+        [&](const int i, const auto& row)
+        {
+            bool others = body[i] < 0;
+            for (int k = 0; k < row.size(); ++k)
+            {
+                others |= body[row[k]] != body[i];
+            }
+            idle_[i] = !others;
+        }
+    );
+
+    nIdlePairs_ = 0;
+    for (int i = 0; i < n; ++i)
+    {
+        if (idle_[i])
+        {
+            nIdlePairs_ += fluid_.nPairs(i) + walls_.sourcesOf(i).size();
+        }
+    }
 }
 
 // ************************************************************************* //

@@ -16,6 +16,13 @@
 namespace
 {
 
+using namespace Foam::melt;
+
+//- Heat is conducted within solids too
+template<class Law>
+constexpr bool isHeat =
+    std::is_same<std::decay_t<Law>, conductionLaw<true>>::value;
+
 //- next(laws..., law) if the law is on, else next(laws...)
 template<class Law, class Next, class... Laws>
 void with(const bool on, const Law& law, const Next& next, const Laws&... laws)
@@ -56,9 +63,13 @@ double Foam::melt::pairRates::add
 
     const auto pass = [&](const auto&... laws)
     {
-        if constexpr (sizeof...(laws) > 0)
+        if constexpr ((isHeat<decltype(laws)> || ...))
         {
             pairPass(near, walls, f, laws...);
+        }
+        else if constexpr (sizeof...(laws) > 0)
+        {
+            forcePass(near, walls, f, laws...);
         }
     };
     const auto addHeat = [&](const auto&... laws)

@@ -15,7 +15,7 @@ void Foam::melt::velocityGradient
     const bool deformation
 )
 {
-    pairPass
+    forcePass
     (
         near,
         walls,

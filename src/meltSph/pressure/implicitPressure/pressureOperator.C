@@ -131,12 +131,12 @@ void Foam::melt::pressureOperator::addForce
         p_[i] = sources*p0_[i] - stiffness_[i]*divergence;
     };
 
-    pairPass
+    forcePass
     (
         system_.near, system_.walls, system_.fluid,
         divergenceLaw(v.x.data(), v.y.data(), v.z.data(), setPressure)
     );
-    pairPass
+    forcePass
     (
         system_.near, system_.walls, system_.fluid,
         pressureGradientLaw
@@ -153,7 +153,7 @@ void Foam::melt::pressureOperator::addForce
 
 void Foam::melt::pressureOperator::addDiagonal(blocks& diagonal) const
 {
-    pairPass
+    forcePass
     (
         system_.near, system_.walls, system_.fluid,
         pressureBlockLaw
@@ -189,7 +189,7 @@ void Foam::melt::pressureOperator::divergence(std::vector<double>& div) const
         div[i] = divergence;
     };
 
-    pairPass
+    forcePass
     (
         system_.near, system_.walls, f,
         divergenceLaw(f.u.data(), f.v.data(), f.w.data(), set)

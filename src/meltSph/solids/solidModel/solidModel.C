@@ -102,8 +102,15 @@ void Foam::melt::solidModel::setBodies()
 
 void Foam::melt::solidModel::update()
 {
-    groupSolids(system_.near, bondingDistance_, system_.fluid);
+    neighbourhood& near = system_.near;
+    const bool changed =
+        groupSolids(near, bondingDistance_, system_.fluid);
     setBodies();
+    if (changed || near.nBuilds() != nBuilds_)
+    {
+        near.setIdle(system_.fluid.body);
+        nBuilds_ = near.nBuilds();
+    }
     projectVelocities();
 }
 
@@ -202,6 +209,7 @@ void Foam::melt::solidModel::setProperties()
     {
         for (const int i : body.members)
         {
+            f.p[i] = 0;
             // The shear rate, stress over viscosity, stays a number
             if (!f.eta.empty())
             {

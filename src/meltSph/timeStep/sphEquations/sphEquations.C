@@ -144,6 +144,10 @@ bool Foam::melt::sphEquations::couple(const label nSolved)
     {
         coupled = term.couple(nSolved) && coupled;
     }
+    if (!coupled && solids_.valid())
+    {
+        solids_->setProperties();
+    }
     return coupled;
 }
 

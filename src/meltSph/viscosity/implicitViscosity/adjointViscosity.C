@@ -129,7 +129,7 @@ void Foam::melt::adjointViscosity::addForce
     vectorArray& force
 )
 {
-    pairPass
+    forcePass
     (
         system_.near, system_.walls, system_.fluid,
         stressOfVelocityLaw
@@ -138,7 +138,7 @@ void Foam::melt::adjointViscosity::addForce
             wallVelocityGradient_, movingWalls_ ? sources : 0, v, SL_
         )
     );
-    pairPass
+    forcePass
     (
         system_.near, system_.walls, system_.fluid,
         adjointForceLaw(system_, SL_, wallGradient_, force)

@@ -7,6 +7,7 @@
 #include "centralViscosity.H"
 #include "addToRunTimeSelectionTable.H"
 #include "pairPass.H"
+#include "pairViscosity.H"
 #include "wallDrag.H"
 
 namespace Foam
@@ -40,8 +41,7 @@ struct pairCoefficient
     ) const
     {
         return
-            factor*p.VF*2*etai*etaj
-           /((etai + etaj)*(p.r2 + regularisation));
+            factor*p.VF*pairViscosity(etai, etaj)/(p.r2 + regularisation);
     }
 };
 
@@ -238,7 +238,7 @@ void Foam::melt::centralViscosity::update(const double)
     }
     wallPull_.resize(n);
 
-    pairPass
+    forcePass
     (
         system_.near,
         system_.walls,
@@ -255,7 +255,7 @@ void Foam::melt::centralViscosity::addForce
     vectorArray& force
 )
 {
-    pairPass
+    forcePass
     (
         system_.near,
         system_.walls,

@@ -135,7 +135,7 @@ void Foam::melt::gradientCorrection
     {
         component.resize(system.fluid.size());
     }
-    pairPass
+    forcePass
     (
         system.near,
         system.walls,

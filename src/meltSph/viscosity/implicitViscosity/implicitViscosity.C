@@ -96,7 +96,10 @@ bool Foam::melt::implicitViscosity::couple(const label nSolved)
         n,
         [&](const int i)
         {
-            return std::abs(std::log(f.eta[i]/etaSolved_[i]));
+            return
+                !system_.solid.empty() && system_.solid[i]
+              ? 0
+              : std::abs(std::log(f.eta[i]/etaSolved_[i]));
         }
     ) : 0;
     if (lastChange_ <= etaTolerance_)
