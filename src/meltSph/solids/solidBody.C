@@ -65,7 +65,12 @@ void Foam::melt::solidBody::setGeometry(const particles& f)
         mass += f.m[i];
         sum += f.m[i]*vector(f.x[i], f.y[i], f.z[i]);
     }
-    centre = sum/mass;
+    // One particle does not spin: no inertia of round-off
+    const int first = members.front();
+    centre =
+        members.size() == 1
+      ? vector(f.x[first], f.y[first], f.z[first])
+      : sum/mass;
 
     inertia = Zero;
     for (const int i : members)
