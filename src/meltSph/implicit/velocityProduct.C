@@ -8,6 +8,7 @@
 #include "pairViscosity.H"
 #include "sphSystem.H"
 
+#include <cmath>
 #include <cstring>
 #include <numeric>
 
@@ -76,7 +77,7 @@ void Foam::melt::velocityProduct::setPairs()
     const double h = kernel.h();
     const double factor = -2*parts_.centralShare*(kernel.dimensions() + 2);
     const double* const eta = factor != 0 ? f.eta.data() : V;
-    const std::vector<char>& solid = system_->solid;
+    const double* const solid = system_->near.solid();
 
     reserve();
     kernel.visit([&](const auto& W)
@@ -104,7 +105,8 @@ void Foam::melt::velocityProduct::setPairs()
                 const double dx = xi - x[j], dy = yi - y[j], dz = zi - z[j];
                 const double r2 = dx*dx + dy*dy + dz*dz;
                 const double F = W.gradientOverR(r2);
-                const double c = Vi*V[j]*F;
+                const double c =
+                    Vi*V[j]*F*(solid ? 1 + std::abs(solid[i] - solid[j]) : 1);
                 const double mean = pairViscosity(etai, eta[j]);
                 pairs[k].a[0] = float(c*dx);
                 pairs[k].a[1] = float(c*dy);
@@ -115,8 +117,8 @@ void Foam::melt::velocityProduct::setPairs()
 
             // Without those in the skin and the particle itself; a solid feels
             // liquid alone
-            const char* const dropped =
-                !solid.empty() && solid[i] ? solid.data() : nullptr;
+            const double* const dropped =
+                solid && solid[i] > 0 ? solid : nullptr;
             int count = 0;
             for (int k = 0; k < row.size(); ++k)
             {
@@ -125,7 +127,7 @@ void Foam::melt::velocityProduct::setPairs()
                 neighbours[count] = row[k];
                 count +=
                     ((g[0] != 0) | (g[1] != 0) | (g[2] != 0))
-                  & !(dropped && dropped[row[k]]);
+                  & !(dropped && dropped[row[k]] > 0);
                 sum += g;
             }
             count_[i] = count;

@@ -76,6 +76,7 @@ void Foam::melt::neighbourhood::build(particles& fluid, const wallState& walls)
         );
     }
 
+    solid_.clear();
     idle_.clear();
     nIdlePairs_ = 0;
     moved_ = 0;
@@ -83,9 +84,28 @@ void Foam::melt::neighbourhood::build(particles& fluid, const wallState& walls)
 }
 
 
-void Foam::melt::neighbourhood::setIdle(const std::vector<int>& body)
+void Foam::melt::neighbourhood::setSolids(const std::vector<int>& body)
 {
     const int n = int(body.size());
+    solid_.clear();
+    idle_.clear();
+    nIdlePairs_ = 0;
+    if
+    (
+        std::all_of
+        (
+            body.begin(), body.end(), [](const int b) { return b < 0; }
+        )
+    )
+    {
+        return;
+    }
+
+    solid_.resize(n);
+    for (int i = 0; i < n; ++i)
+    {
+        solid_[i] = body[i] >= 0;
+    }
     idle_.assign(n, 0);
     fluid_.forEach
     (
@@ -101,7 +121,6 @@ void Foam::melt::neighbourhood::setIdle(const std::vector<int>& body)
         }
     );
 
-    nIdlePairs_ = 0;
     for (int i = 0; i < n; ++i)
     {
         if (idle_[i])

@@ -108,7 +108,7 @@ void Foam::melt::solidModel::update()
     setBodies();
     if (changed || near.nBuilds() != nBuilds_)
     {
-        near.setIdle(system_.fluid.body);
+        near.setSolids(system_.fluid.body);
         nBuilds_ = near.nBuilds();
     }
     projectVelocities();
