@@ -28,6 +28,7 @@ void Foam::melt::pressureOperator::setWallGradient()
     wallDivergence_.resize(n);
     wallWeight_.resize(n);
     const std::array<double, 3>& g = system_.g;
+    const double* const solid = system_.near.solid();
 
     system_.near.kernel().visit([&](const auto& W)
     {
@@ -38,8 +39,9 @@ void Foam::melt::pressureOperator::setWallGradient()
             double wx = 0, wy = 0, wz = 0;
             const auto row = system_.near.walls().sourcesOf(i);
 
-            // A wall does not pull
-            const int count = p0_[i] < 0 ? 0 : row.size();
+            // A wall does not pull; solids it meets by contact
+            const bool none = p0_[i] < 0 || (solid && solid[i] > 0);
+            const int count = none ? 0 : row.size();
             for (int k = 0; k < count; ++k)
             {
                 const int j = row[k];

@@ -118,9 +118,7 @@ void Foam::melt::leapFrog::correct(const scalar dt)
 void Foam::melt::leapFrog::advance(const scalar dt)
 {
     const double heatBefore = system_.heatFromWalls;
-    equations_.startStep();
     const scalar longestWay = predict(dt);
-    equations_.moveSolids(dt);
     wallContacts_ += keepInFrontOfWalls
     (
         system_.near, system_.walls, system_.fluid
@@ -129,7 +127,6 @@ void Foam::melt::leapFrog::advance(const scalar dt)
     equations_.advanceHeat(dt);
     equations_.evaluate();
     correct(dt);
-    equations_.projectVelocities();
     system_.heatReceived += 0.5*dt*(heatBefore + system_.heatFromWalls);
 }
 

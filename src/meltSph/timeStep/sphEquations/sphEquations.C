@@ -54,6 +54,16 @@ Foam::melt::sphEquations::sphEquations
     if (dict.found("solids"))
     {
         solids_ = solidModel::New(dict.subDict("solids"), system_);
+        if (solids_.valid() && (system_.pairs.pressure || system_.pairs.stress))
+        {
+            FatalIOErrorInFunction(dict.subDict("solids"))
+                << "Solids of type " << solids_->type() << " take the forces"
+                << " of liquid by the implicit terms alone: they need the"
+                << " scheme incompressible or semiImplicit, pressure { type"
+                << " implicitPressure; } and viscosity { type"
+                << " implicitViscosity; }; the explicit terms go with solids"
+                << " of type viscous" << exit(FatalIOError);
+        }
         solver_.constrain(solids_.get());
     }
 }

@@ -250,6 +250,34 @@ TEST(SolidModel, badInput)
 }
 
 
+// The message names the schemes that go with solids
+TEST(SolidModel, explicitForcesAreRefused)
+{
+    for (const std::string type : {"frozen", "rigid"})
+    {
+        try
+        {
+            schemeCase
+            (
+                movingLump(1),
+                pressureAndViscosity() + " solids { type " + type + "; }"
+            );
+            FAIL() << type;
+        }
+        catch (const Foam::IOerror& error)
+        {
+            const std::string message(error.message());
+            EXPECT_NE(message.find("incompressible"), std::string::npos);
+            EXPECT_NE(message.find("semiImplicit"), std::string::npos);
+        }
+    }
+    schemeCase
+    (
+        movingLump(1), pressureAndViscosity() + " solids { type viscous; }"
+    );
+}
+
+
 TEST(SolidModel, viscousIsNoModel)
 {
     particleCloud cloud(movingLump(1));
