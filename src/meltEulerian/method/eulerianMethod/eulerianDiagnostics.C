@@ -56,6 +56,7 @@ Foam::melt::meltDiagnostics Foam::melt::eulerianMethod::diagnostics() const
 
     // A cell reaches as far as it is filled, from the side of more melt
     const scalar seen = flow_.wetFrom();
+    const tmp<scalarField> fraction(liquidFraction());
     scalar liquid = 0;
     d.minT = GREAT;
     d.maxT = -GREAT;
@@ -63,7 +64,7 @@ Foam::melt::meltDiagnostics Foam::melt::eulerianMethod::diagnostics() const
     forAll(alpha, celli)
     {
         const scalar mass = rho*alpha[celli]*mesh.V()[celli];
-        liquid += mass*liquidFraction(celli);
+        liquid += mass*fraction()[celli];
         if (alpha[celli] < seen)
         {
             continue;
