@@ -8,6 +8,7 @@
 #include "checkedEntry.H"
 #include "fvMatrix.H"
 #include "quietLog.H"
+#include "withOtherRanks.H"
 #include "surfaceFields.H"
 #include "Time.H"
 
@@ -33,20 +34,64 @@ Foam::scalarField Foam::melt::enthalpyEquation::conductances
 ) const
 {
     const fvMesh& mesh = mesh_.mesh();
-    scalarField K(mesh.nInternalFaces(), 0);
-    forAll(K, facei)
+    const withOtherRanks alphaOf(mesh, alpha), kappaOf(mesh, kappa);
+    scalarField K(mesh.nFaces(), 0);
+    mesh_.forAllInner([&](const label facei)
     {
-        const label own = mesh.owner()[facei], nei = mesh.neighbour()[facei];
-        if (min(alpha[own], alpha[nei]) > leastMelt)
+        const scalar own = alpha[mesh.faceOwner()[facei]];
+        const scalar nei = alphaOf.beyond(facei);
+        if (min(own, nei) > leastMelt)
         {
-            const scalar harmonic =
-                2*kappa[own]*kappa[nei]/(kappa[own] + kappa[nei]);
+            const scalar kappaOwn = kappa[mesh.faceOwner()[facei]];
+            const scalar kappaNei = kappaOf.beyond(facei);
+            const label a = mesh_.onGrid(facei).direction;
             K[facei] =
-                harmonic*max(alpha[own], alpha[nei])
-               *mesh.magSf()[facei]*mesh.deltaCoeffs()[facei];
+                2*kappaOwn*kappaNei/(kappaOwn + kappaNei)*max(own, nei)
+               *mesh_.grid().volume()/sqr(mesh_.grid().d()[a]);
+        }
+    });
+    return K;
+}
+
+
+void Foam::melt::enthalpyEquation::addConduction
+(
+    const scalarField& K,
+    const scalarField& T,
+    scalarField& heat
+) const
+{
+    const fvMesh& mesh = mesh_.mesh();
+    const withOtherRanks TOf(mesh, T);
+    mesh_.forAllInner([&](const label facei)
+    {
+        const label own = mesh.faceOwner()[facei];
+        const scalar flux = K[facei]*(TOf.beyond(facei) - T[own]);
+        heat[own] += flux;
+        if (mesh.isInternalFace(facei))
+        {
+            heat[mesh.neighbour()[facei]] -= flux;
+        }
+    });
+}
+
+
+void Foam::melt::enthalpyEquation::setBetween
+(
+    const scalarField& K,
+    fvScalarMatrix& equation
+) const
+{
+    forAll(equation.internalCoeffs(), patchi)
+    {
+        const polyPatch& patch = mesh_.mesh().boundaryMesh()[patchi];
+        if (patch.coupled())
+        {
+            // The diagonal has its part already
+            equation.internalCoeffs()[patchi] = 0;
+            equation.boundaryCoeffs()[patchi] = patch.patchSlice(K);
         }
     }
-    return K;
 }
 
 
@@ -158,43 +203,41 @@ void Foam::melt::enthalpyEquation::setT
     const scalarField& alphaH
 )
 {
-    const labelListList& cellCells = mesh_.mesh().cellCells();
-    boolList known(alpha.size(), false);
+    const fvMesh& mesh = mesh_.mesh();
+    scalarField known(alpha.size(), 0);
     scalarField& T = T_.primitiveFieldRef();
     forAll(T, celli)
     {
         if (alpha[celli] > leastMelt)
         {
             T[celli] = thermo_.enthalpy().T(alphaH[celli]/alpha[celli]);
-            known[celli] = true;
+            known[celli] = 1;
         }
     }
 
     // As far as cells that are drawn reach
     for (label layer = 0; layer < 2; ++layer)
     {
-        DynamicList<label> next;
+        const withOtherRanks knownOf(mesh, known), TOf(mesh, T);
+        scalarField sum(T.size(), 0), n(T.size(), 0);
+        mesh_.forAllInner([&](const label facei)
+        {
+            const label own = mesh.faceOwner()[facei];
+            sum[own] += knownOf.beyond(facei)*TOf.beyond(facei);
+            n[own] += knownOf.beyond(facei);
+            if (mesh.isInternalFace(facei))
+            {
+                sum[mesh.neighbour()[facei]] += known[own]*T[own];
+                n[mesh.neighbour()[facei]] += known[own];
+            }
+        });
         forAll(T, celli)
         {
-            scalar sum = 0;
-            label n = 0;
-            for (const label neighbour : cellCells[celli])
+            if (!known[celli] && n[celli] > 0)
             {
-                if (!known[celli] && known[neighbour])
-                {
-                    sum += T[neighbour];
-                    ++n;
-                }
+                T[celli] = sum[celli]/n[celli];
+                known[celli] = 1;
             }
-            if (n)
-            {
-                T[celli] = sum/n;
-                next.append(celli);
-            }
-        }
-        for (const label celli : next)
-        {
-            known[celli] = true;
         }
     }
     T_.correctBoundaryConditions();
@@ -251,7 +294,7 @@ Foam::melt::enthalpyEquation::record Foam::melt::enthalpyEquation::advance
         addWalls(alpha, kappa, walls);
 
         fvScalarMatrix equation(change, dimPower);
-        equation.upper() = -K;
+        equation.upper() = -SubField<scalar>(K, mesh.nInternalFaces());
         equation.diag() = 0;
         scalarField heat
         (
@@ -260,30 +303,32 @@ Foam::melt::enthalpyEquation::record Foam::melt::enthalpyEquation::advance
           - mass*(h - hStart)/deltaT
         );
         scalarField slope(h.size());
-        forAll(mesh.neighbour(), facei)
+        addConduction(K, T, heat);
+        scalarField diagonal(walls.slope + sources.slope);
+        mesh_.forAllInner([&](const label facei)
         {
-            const label own = mesh.owner()[facei];
-            const label nei = mesh.neighbour()[facei];
-            const scalar flux = K[facei]*(T[nei] - T[own]);
-            heat[own] += flux;
-            heat[nei] -= flux;
-            equation.diag()[own] += K[facei];
-            equation.diag()[nei] += K[facei];
-        }
-        equation.diag() += walls.slope + sources.slope;
-        const scalarField ownDiag(equation.diag());
+            diagonal[mesh.faceOwner()[facei]] += K[facei];
+            if (mesh.isInternalFace(facei))
+            {
+                diagonal[mesh.neighbour()[facei]] += K[facei];
+            }
+        });
         boolList changesPhase(h.size(), false);
         forAll(h, celli)
         {
             changesPhase[celli] =
                 isothermal && h[celli] > 0 && h[celli] < curve.latentHeat;
             slope[celli] = curve.Cp(h[celli]);
-            equation.diag()[celli] +=
-                changesPhase[celli] || mass[celli] <= 0
-              ? GREAT*max(ownDiag[celli], VSMALL)
-              : mass[celli]*slope[celli]/deltaT;
+            equation.diag()[celli] =
+                diagonal[celli]
+              + (
+                    changesPhase[celli] || mass[celli] <= 0
+                  ? GREAT*max(diagonal[celli], VSMALL)
+                  : mass[celli]*slope[celli]/deltaT
+                );
             equation.source()[celli] = heat[celli];
         }
+        setBetween(K, equation);
         change = dimensionedScalar(dimTemperature, Zero);
         {
             const quietLog quiet;
@@ -294,14 +339,7 @@ Foam::melt::enthalpyEquation::record Foam::melt::enthalpyEquation::advance
         // phase, and of others by the slope, which is the same
         const scalarField& dT = change.primitiveField();
         heat -= (walls.slope + sources.slope)*dT;
-        forAll(mesh.neighbour(), facei)
-        {
-            const scalar flux =
-                K[facei]
-               *(dT[mesh.neighbour()[facei]] - dT[mesh.owner()[facei]]);
-            heat[mesh.owner()[facei]] += flux;
-            heat[mesh.neighbour()[facei]] -= flux;
-        }
+        addConduction(K, dT, heat);
         scalar wrong = 0, moved = 0;
         r.in = r.out = 0;
         forAll(h, celli)
@@ -327,11 +365,15 @@ Foam::melt::enthalpyEquation::record Foam::melt::enthalpyEquation::advance
                 moved += mass[celli]*mag(h[celli] - hStart[celli]);
             }
         }
+        reduce(wrong, sumOp<scalar>());
+        reduce(moved, sumOp<scalar>());
         ++r.iterations;
         r.errors.append(wrong/max(moved, VSMALL));
     }
     while (r.errors.last() > tolerance_ && r.iterations < maxIterations_);
 
+    reduce(r.in, sumOp<scalar>());
+    reduce(r.out, sumOp<scalar>());
     r.converged = r.errors.last() <= tolerance_;
     if (r.converged)
     {

@@ -58,12 +58,16 @@ void Foam::melt::solidMelt::block
     std::vector<char> blocked(mesh.missing());
     if (type_ == type::constraint)
     {
+        scalarField solid(alpha.size());
         forAll(alpha, celli)
         {
-            if (alpha[celli] >= wetFrom && liquidFraction[celli] < flowFraction_)
-            {
-                blocked[mesh.gridCell(celli)] = 1;
-            }
+            solid[celli] =
+                alpha[celli] >= wetFrom && liquidFraction[celli] < flowFraction_;
+        }
+        const std::vector<double> onGrid(mesh.onGrid(solid));
+        for (std::size_t cell = 0; cell < blocked.size(); ++cell)
+        {
+            blocked[cell] = blocked[cell] || onGrid[cell] > 0;
         }
     }
     mesh.grid().setBlocked(blocked);

@@ -6,6 +6,7 @@
 
 #include "surfaceHeat.H"
 #include "surfaceFields.H"
+#include "withOtherRanks.H"
 
 #include <cmath>
 #include <limits>
@@ -40,16 +41,14 @@ class shade
 {
     const eulerianMesh& mesh_;
 
-    const scalarField& alpha_;
+    const std::vector<double> alpha_;
 
     const labelList& cells_;
 
     bool fills(const triple& c) const
     {
         const staggeredGrid& grid = mesh_.grid();
-        const label celli =
-            grid.inside(c) ? mesh_.meshCell(grid.cell(c)) : -1;
-        return celli >= 0 && alpha_[celli] >= 0.5;
+        return grid.inside(c) && alpha_[grid.cell(c)] >= 0.5;
     }
 
     //- Walks through the cells between the points, J. Amanatides, A. Woo,
@@ -72,7 +71,7 @@ class shade
         }
         while (grid.inside(c))
         {
-            if (mesh_.meshCell(grid.cell(c)) != own && fills(c))
+            if (grid.cell(c) != own && fills(c))
             {
                 return true;
             }
@@ -99,7 +98,7 @@ public:
     )
     :
         mesh_(mesh),
-        alpha_(alpha),
+        alpha_(mesh.onGrid(alpha)),
         cells_(cells)
     {}
 
@@ -114,7 +113,12 @@ public:
         forAll(set, i)
         {
             result[i] =
-                blocked(elements.position[set[i]], to[i], cells_[set[i]]);
+                blocked
+                (
+                    elements.position[set[i]],
+                    to[i],
+                    mesh_.gridCell(cells_[set[i]])
+                );
         }
         return result;
     }
@@ -135,16 +139,18 @@ Foam::melt::surfaceElements Foam::melt::surfaceHeat::elements
     const fvMesh& mesh = mesh_.mesh();
     DynamicList<label> cell;
     DynamicList<vector> free;
-    forAll(mesh.neighbour(), facei)
+    const withOtherRanks alphaOf(mesh, alpha);
+    mesh_.forAllInner([&](const label facei)
     {
-        const label own = mesh.owner()[facei], nei = mesh.neighbour()[facei];
-        const scalar difference = alpha[own] - alpha[nei];
-        if (difference != 0)
+        const label own = mesh.faceOwner()[facei];
+        const scalar difference = alpha[own] - alphaOf.beyond(facei);
+        const bool isOwn = difference > 0;
+        if (difference != 0 && (isOwn || mesh.isInternalFace(facei)))
         {
-            cell.append(difference > 0 ? own : nei);
-            free.append(difference*mesh.Sf()[facei]);
+            cell.append(isOwn ? own : mesh.neighbour()[facei]);
+            free.append(difference*mesh.faceAreas()[facei]);
         }
-    }
+    });
 
     vectorField sum(alpha.size(), Zero);
     scalarField area(alpha.size(), 0);
@@ -192,15 +198,18 @@ Foam::melt::surfaceHeat::surfaceHeat
     mesh_(mesh),
     sources_(meltProperties)
 {
+    const std::vector<double> alphaOnGrid(mesh_.onGrid(alpha));
     for (const heatSource& source : sources_)
     {
         for (const point& p : source.outside(time))
         {
             const triple c(cellAt(mesh_, p));
-            const label celli =
-                mesh_.grid().inside(c)
-              ? mesh_.meshCell(mesh_.grid().cell(c)) : -1;
-            if (time == 0 && celli >= 0 && alpha[celli] >= 0.5)
+            if
+            (
+                time == 0
+             && mesh_.grid().inside(c)
+             && alphaOnGrid[mesh_.grid().cell(c)] >= 0.5
+            )
             {
                 FatalIOErrorInFunction(source.dict())
                     << "Heat source " << source.name() << " at " << p

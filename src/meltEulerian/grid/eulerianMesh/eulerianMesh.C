@@ -6,7 +6,9 @@
 
 #include "eulerianMesh.H"
 #include "OSspecific.H"
+#include "processorPolyPatch.H"
 #include "Time.H"
+#include "volFields.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -19,6 +21,7 @@ namespace
 {
 
 using namespace Foam;
+using triple = Foam::melt::staggeredGrid::triple;
 
 //- The region needs schemes and solvers before it is made
 void provide(const Time& time, const word& name)
@@ -43,46 +46,34 @@ void provide(const Time& time, const word& name)
 } // End anonymous namespace
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::melt::eulerianMesh::writeMesh()
-{
-    mesh_->polyMesh::write();
-
-    // Once is enough
-    HashTable<regIOobject*> parts(mesh_->lookupClass<regIOobject>());
-    forAllIters(parts, part)
-    {
-        part.val()->writeOpt() = IOobject::NO_WRITE;
-    }
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::melt::eulerianMesh::eulerianMesh(const meltScene& scene)
 :
     scene_(scene),
+    domain_(scene),
     box_(scene.mesh().bounds())
 {
     for (const polyPatch& patch : scene.mesh().boundaryMesh())
     {
-        if (patch.coupled())
+        if (patch.coupled() && !isA<processorPolyPatch>(patch))
         {
             FatalErrorInFunction
                 << "Patch " << patch.name() << " of the domain is of type "
                 << patch.type() << '.' << nl
                 << "Accepted by the method eulerian: wall, patch, symmetryPlane,"
-                << " symmetry and empty, in a run without mpirun"
+                << " symmetry and empty"
                 << exit(FatalError);
         }
     }
     makeGrid();
     findCells();
-    provide(scene.mesh().time(), "fvSchemes");
-    provide(scene.mesh().time(), "fvSolution");
+    if (Pstream::master())
+    {
+        provide(scene.mesh().time(), "fvSchemes");
+        provide(scene.mesh().time(), "fvSolution");
+    }
     makeMesh();
-    writeMesh();
     setWalls();
 }
 
@@ -92,10 +83,17 @@ Foam::melt::eulerianMesh::eulerianMesh(const meltScene& scene)
 std::vector<double>
 Foam::melt::eulerianMesh::onGrid(const scalarField& values) const
 {
+    List<scalarField> ofRank(Pstream::nProcs());
+    ofRank[Pstream::myProcNo()] = values;
+    Pstream::gatherList(ofRank);
+    Pstream::scatterList(ofRank);
     std::vector<double> result(grid_->nCells(), 0);
-    forAll(values, celli)
+    forAll(ofRank, rank)
     {
-        result[gridCell_[celli]] = values[celli];
+        forAll(ofRank[rank], celli)
+        {
+            result[gridCells_[rank][celli]] = ofRank[rank][celli];
+        }
     }
     return result;
 }
@@ -104,12 +102,26 @@ Foam::melt::eulerianMesh::onGrid(const scalarField& values) const
 Foam::scalarField
 Foam::melt::eulerianMesh::onMesh(const std::vector<double>& values) const
 {
-    scalarField result(gridCell_.size());
+    scalarField result(mesh_->nCells());
     forAll(result, celli)
     {
-        result[celli] = values[gridCell_[celli]];
+        result[celli] = values[gridCell(celli)];
     }
     return result;
+}
+
+
+Foam::point Foam::melt::eulerianMesh::faceCentre
+(
+    const int a,
+    const int cell
+) const
+{
+    triple opposite(grid_->position(cell));
+    const point lower(position(opposite));
+    ++opposite[(a + 1) % 3];
+    ++opposite[(a + 2) % 3];
+    return 0.5*(lower + position(opposite));
 }
 
 
@@ -118,7 +130,7 @@ std::vector<char> Foam::melt::eulerianMesh::missing() const
     std::vector<char> result(grid_->nCells());
     for (int cell = 0; cell < grid_->nCells(); ++cell)
     {
-        result[cell] = meshCell_[cell] < 0;
+        result[cell] = cellRank_[cell] < 0;
     }
     return result;
 }

@@ -51,9 +51,9 @@ void Foam::melt::eulerianMesh::findCells()
     const scalar volume = gSum(domain.V());
     const bool isBox = mag(volume/box_.volume() - 1) < 1e-6;
 
+    // A centre on the border between ranks is the lower one's
     const meshSearch search(domain);
-    DynamicList<label> cells(grid_->nCells());
-    meshCell_.setSize(grid_->nCells(), -1);
+    labelList rank(grid_->nCells(), labelMax);
     triple c;
     for (c[2] = 0; c[2] < n[2]; ++c[2])
     {
@@ -63,15 +63,49 @@ void Foam::melt::eulerianMesh::findCells()
             {
                 const triple next{c[0] + 1, c[1] + 1, c[2] + 1};
                 const point centre(0.5*(position(c) + position(next)));
-                if (isBox || search.findCell(centre) >= 0)
+                if
+                (
+                    (isBox && !Pstream::parRun())
+                 || search.findCell(centre) >= 0
+                )
                 {
-                    meshCell_[grid_->cell(c)] = cells.size();
-                    cells.append(grid_->cell(c));
+                    rank[grid_->cell(c)] = Pstream::myProcNo();
                 }
             }
         }
     }
-    gridCell_.transfer(cells);
+    Pstream::listCombineGather(rank, minEqOp<label>());
+    Pstream::listCombineScatter(rank);
+
+    List<DynamicList<label>> cells(Pstream::nProcs());
+    meshCell_.setSize(grid_->nCells(), -1);
+    forAll(rank, cell)
+    {
+        if (rank[cell] == labelMax)
+        {
+            rank[cell] = -1;
+            continue;
+        }
+        if (rank[cell] == Pstream::myProcNo())
+        {
+            meshCell_[cell] = cells[rank[cell]].size();
+        }
+        cells[rank[cell]].append(cell);
+    }
+    cellRank_.transfer(rank);
+    gridCells_.setSize(cells.size());
+    forAll(cells, rank)
+    {
+        gridCells_[rank].transfer(cells[rank]);
+        if (gridCells_[rank].empty())
+        {
+            FatalErrorInFunction
+                << "Rank " << rank << " has no cell of the mesh of "
+                << scene_.resolution() << " m." << nl
+                << "Accepted: parts of the domain that are larger"
+                << exit(FatalError);
+        }
+    }
     grid_->setBlocked(missing());
 }
 

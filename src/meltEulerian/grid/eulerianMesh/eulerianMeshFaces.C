@@ -5,7 +5,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "eulerianMesh.H"
-#include "meshSearch.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -47,12 +46,23 @@ Foam::point Foam::melt::eulerianMesh::position(const triple& node) const
 }
 
 
-void Foam::melt::eulerianMesh::makeMesh()
+Foam::melt::meshLayout Foam::melt::eulerianMesh::whole
+(
+    List<gridFace>& onGrid,
+    labelList& domainFace
+) const
 {
-    const fvMesh& domain = scene_.mesh();
-    const polyBoundaryMesh& patches = domain.boundaryMesh();
     const triple& n = grid_->n();
-    const meshSearch search(domain);
+    labelList wholeCell(grid_->nCells(), -1);
+    DynamicList<label> gridCell;
+    forAll(cellRank_, cell)
+    {
+        if (cellRank_[cell] >= 0)
+        {
+            wholeCell[cell] = gridCell.size();
+            gridCell.append(cell);
+        }
+    }
 
     // Points that a cell uses
     labelList pointOf((n[0] + 1)*(n[1] + 1)*(n[2] + 1), -1);
@@ -83,18 +93,18 @@ void Foam::melt::eulerianMesh::makeMesh()
 
     DynamicList<face> faces;
     DynamicList<label> owner, neighbour;
-    DynamicList<gridFace> onGrid;
+    DynamicList<gridFace> facesOnGrid;
     struct boundaryFace
     {
         face f;
         label cell, domainFace;
         gridFace g;
     };
-    List<DynamicList<boundaryFace>> boundary(patches.size());
+    List<DynamicList<boundaryFace>> boundary(domain_.nPatches());
 
-    forAll(gridCell_, celli)
+    forAll(gridCell, celli)
     {
-        const int cell = gridCell_[celli];
+        const int cell = gridCell[celli];
         const int row = cell/n[0];
         const triple c{cell % n[0], row % n[1], row/n[1]};
         for (int a = 0; a < 3; ++a)
@@ -105,31 +115,30 @@ void Foam::melt::eulerianMesh::makeMesh()
                 other[a] += side ? 1 : -1;
                 at[a] += side;
                 const label otherCell =
-                    grid_->inside(other) ? meshCell_[grid_->cell(other)] : -1;
+                    grid_->inside(other) ? wholeCell[grid_->cell(other)] : -1;
                 const gridFace g{a, grid_->face(a, at), side ? 1 : -1};
                 if (otherCell > celli)
                 {
                     faces.append(makeFace(a, at, 1));
                     owner.append(celli);
                     neighbour.append(otherCell);
-                    onGrid.append(g);
+                    facesOnGrid.append(g);
                 }
                 else if (otherCell < 0)
                 {
                     triple opposite(at);
                     ++opposite[(a + 1) % 3];
                     ++opposite[(a + 2) % 3];
-                    const label domainFacei = search.findNearestBoundaryFace
+                    const labelPair onDomain
                     (
-                        0.5*(position(at) + position(opposite))
+                        domain_.nearest(0.5*(position(at) + position(opposite)))
                     );
-                    const label patchi = patches.whichPatch(domainFacei);
-                    boundary[patchi].append
+                    boundary[onDomain.first()].append
                     (
                         {
                             makeFace(a, at, g.sign),
                             celli,
-                            domainFacei - patches[patchi].start(),
+                            onDomain.second(),
                             g
                         }
                     );
@@ -138,55 +147,100 @@ void Foam::melt::eulerianMesh::makeMesh()
         }
     }
 
-    domainFace_.setSize(patches.size());
-    labelList starts(patches.size());
+    meshLayout result;
+    result.patchStart.setSize(boundary.size());
+    result.patchSize.setSize(boundary.size());
+    DynamicList<label> onDomain;
     forAll(boundary, patchi)
     {
-        starts[patchi] = faces.size();
-        domainFace_[patchi].setSize(boundary[patchi].size());
-        forAll(boundary[patchi], i)
+        result.patchStart[patchi] = faces.size();
+        result.patchSize[patchi] = boundary[patchi].size();
+        for (const boundaryFace& b : boundary[patchi])
         {
-            const boundaryFace& b = boundary[patchi][i];
             faces.append(b.f);
             owner.append(b.cell);
-            onGrid.append(b.g);
-            domainFace_[patchi][i] = b.domainFace;
+            facesOnGrid.append(b.g);
+            onDomain.append(b.domainFace);
         }
     }
-    gridFaces_ = onGrid;
+    result.points.transfer(points);
+    result.faces.transfer(faces);
+    result.owner.transfer(owner);
+    result.neighbour.transfer(neighbour);
+    onGrid.transfer(facesOnGrid);
+    domainFace.transfer(onDomain);
+    return result;
+}
 
+
+void Foam::melt::eulerianMesh::makeMesh()
+{
+    const fvMesh& domain = scene_.mesh();
     const Time& time = domain.time();
-    mesh_.reset
-    (
-        new fvMesh
-        (
-            IOobject
-            (
-                regionName,
-                time.constant(),
-                time,
-                IOobject::NO_READ,
-                IOobject::AUTO_WRITE
-            ),
-            pointField(points),
-            faceList(faces),
-            labelList(owner),
-            labelList(neighbour)
-        )
-    );
-
-    List<polyPatch*> newPatches(patches.size());
-    forAll(patches, patchi)
+    List<gridFace> onGrid;
+    labelList domainFace;
+    meshLayout layout(whole(onGrid, domainFace));
+    const label firstOfPatches = layout.neighbour.size();
+    if (Pstream::parRun())
     {
-        newPatches[patchi] = patches[patchi].clone
-        (
-            mesh_->boundaryMesh(),
-            patchi,
-            domainFace_[patchi].size(),
-            starts[patchi]
-        ).ptr();
+        if (Pstream::master())
+        {
+            layout.writeWhole
+            (
+                time,
+                time.globalPath()/time.constant()/regionName
+               /polyMesh::meshSubDir,
+                domain.boundaryMesh()
+            );
+        }
+        DynamicList<label> rank(layout.owner.size());
+        for (const label r : cellRank_)
+        {
+            if (r >= 0)
+            {
+                rank.append(r);
+            }
+        }
+        layout = layout.part(rank, Pstream::myProcNo());
     }
-    mesh_->addFvPatches(newPatches);
+
+    gridFaces_.setSize(layout.faces.size());
+    forAll(gridFaces_, facei)
+    {
+        const label inWhole =
+            layout.faceInWhole.size() ? layout.faceInWhole[facei] : facei + 1;
+        gridFaces_[facei] = onGrid[mag(inWhole) - 1];
+        gridFaces_[facei].sign *= sign(inWhole);
+    }
+    domainFace_.setSize(layout.patchSize.size());
+    forAll(domainFace_, patchi)
+    {
+        domainFace_[patchi].setSize(layout.patchSize[patchi], -1);
+        forAll(domainFace_[patchi], i)
+        {
+            const label facei = layout.patchStart[patchi] + i;
+            const label inWhole =
+                layout.faceInWhole.size()
+              ? mag(layout.faceInWhole[facei]) - 1 : facei;
+            if (inWhole >= firstOfPatches)
+            {
+                domainFace_[patchi][i] = domainFace[inWhole - firstOfPatches];
+            }
+        }
+    }
+
+    mesh_ = layout.mesh
+    (
+        IOobject
+        (
+            regionName,
+            time.constant(),
+            time,
+            IOobject::NO_READ,
+            IOobject::AUTO_WRITE
+        ),
+        domain.boundaryMesh()
+    );
 
     // What is made is not read; schemes and solvers are
     fvSchemes& schemes = *mesh_;
@@ -195,6 +249,18 @@ void Foam::melt::eulerianMesh::makeMesh()
     fvSolution& solution = *mesh_;
     solution.readOpt() = IOobject::MUST_READ;
     solution.read();
+
+    // Written once
+    mesh_->polyMesh::write();
+    if (Pstream::parRun())
+    {
+        layout.writeAddressing(*mesh_);
+    }
+    HashTable<regIOobject*> parts(mesh_->lookupClass<regIOobject>());
+    forAllIters(parts, part)
+    {
+        part.val()->writeOpt() = IOobject::NO_WRITE;
+    }
 }
 
 // ************************************************************************* //

@@ -7,6 +7,8 @@
 #include "meltInterface.H"
 #include "quietLog.H"
 #include "Time.H"
+#include "vector2D.H"
+#include "withOtherRanks.H"
 
 #include <cmath>
 
@@ -116,27 +118,23 @@ void Foam::melt::meltInterface::moveEnthalpy
     {
         forAll(mesh.neighbour(), facei)
         {
-            action
-            (
-                mesh.owner()[facei],
-                mesh.neighbour()[facei],
-                volume()[facei]*deltaT
-            );
+            action(facei, volume()[facei]*deltaT);
         }
         forAll(volume().boundaryField(), patchi)
         {
             const fvsPatchScalarField& patch = volume().boundaryField()[patchi];
             forAll(patch, i)
             {
-                action(mesh.boundary()[patchi].faceCells()[i], -1, patch[i]*deltaT);
+                action(mesh.boundary()[patchi].start() + i, patch[i]*deltaT);
             }
         }
     };
-    forAllFluxes([&](const label own, const label nei, const scalar dV)
+    forAllFluxes([&](const label facei, const scalar dV)
     {
-        alphaStart[own] += dV/V[own];
-        if (nei >= 0)
+        alphaStart[mesh.faceOwner()[facei]] += dV/V[mesh.faceOwner()[facei]];
+        if (mesh.isInternalFace(facei))
         {
+            const label nei = mesh.neighbour()[facei];
             alphaStart[nei] -= dV/V[nei];
         }
     });
@@ -146,20 +144,31 @@ void Foam::melt::meltInterface::moveEnthalpy
     {
         h[celli] = alphaStart[celli] > VSMALL ? h[celli]/alphaStart[celli] : 0;
     }
-    forAllFluxes([&](const label own, const label nei, const scalar dV)
+    vector2D lost(Zero);
+    const withOtherRanks hOf(mesh, h);
+    const label firstBetween = mesh_.firstBetween();
+    forAllFluxes([&](const label facei, const scalar dV)
     {
-        const scalar carried = dV*(dV > 0 || nei < 0 ? h[own] : h[nei]);
+        const label own = mesh.faceOwner()[facei];
+        const bool inner = mesh.isInternalFace(facei);
+        const bool leaves = !inner && facei < firstBetween;
+        const scalar carried =
+            dV*(dV > 0 || leaves ? h[own] : hOf.beyond(facei));
         alphaH[own] -= carried/V[own];
-        if (nei >= 0)
+        if (inner)
         {
+            const label nei = mesh.neighbour()[facei];
             alphaH[nei] += carried/V[nei];
         }
-        else
+        else if (leaves)
         {
-            lostVolume_ += dV;
-            lostEnthalpy_ += carried;
+            lost.x() += dV;
+            lost.y() += carried;
         }
     });
+    reduce(lost, sumOp<vector2D>());
+    lostVolume_ += lost.x();
+    lostEnthalpy_ += lost.y();
 }
 
 
@@ -228,14 +237,16 @@ Foam::scalar Foam::melt::meltInterface::Courant
 ) const
 {
     const fvMesh& mesh = mesh_.mesh();
-    scalar greatest = 0;
-    forAll(mesh.neighbour(), facei)
+    const auto wet = [&](const label facei)
     {
-        if
-        (
-            alpha_[mesh.owner()[facei]] > 0
-         || alpha_[mesh.neighbour()[facei]] > 0
-        )
+        return
+            alpha_[mesh.faceOwner()[facei]] > 0
+         || (mesh.isInternalFace(facei) && alpha_[mesh.neighbour()[facei]] > 0);
+    };
+    scalar greatest = 0;
+    mesh_.forAllInner([&](const label facei)
+    {
+        if (wet(facei))
         {
             const eulerianMesh::gridFace& g = mesh_.onGrid(facei);
             greatest = max
@@ -244,7 +255,8 @@ Foam::scalar Foam::melt::meltInterface::Courant
                 mag(U[g.direction][g.face])/mesh_.grid().d()[g.direction]
             );
         }
-    }
+    });
+    reduce(greatest, maxOp<scalar>());
     return greatest*deltaT;
 }
 
@@ -277,12 +289,7 @@ void Foam::melt::meltInterface::setCellVelocities(const faceVelocities& U)
     const staggeredGrid& grid = mesh_.grid();
     forAll(U_, celli)
     {
-        const label cell = mesh_.gridCell(celli);
-        const staggeredGrid::triple& n = grid.n();
-        const staggeredGrid::triple c
-        {
-            cell % n[0], (cell/n[0]) % n[1], cell/(n[0]*n[1])
-        };
+        const staggeredGrid::triple c(grid.position(mesh_.gridCell(celli)));
         for (direction a = 0; a < 3; ++a)
         {
             staggeredGrid::triple next(c);

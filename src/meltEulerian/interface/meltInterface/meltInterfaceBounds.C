@@ -6,6 +6,8 @@
 
 #include "meltInterface.H"
 
+#include <algorithm>
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
@@ -20,97 +22,131 @@ const Foam::scalar dust = 5e-10;
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-bool Foam::melt::meltInterface::accepts(const label celli) const
+bool Foam::melt::meltInterface::bounded(const scalar alpha)
 {
-    return !mesh_.grid().blocked(mesh_.gridCell(celli));
+    return alpha <= 1 + dust && (alpha >= dust || alpha == 0);
+}
+
+
+std::vector<int> Foam::melt::meltInterface::beside
+(
+    const int cell,
+    const bool toSolid
+) const
+{
+    const staggeredGrid& grid = mesh_.grid();
+    std::vector<int> result;
+    for (int a = 0; a < 3; ++a)
+    {
+        for (const int step : {-1, 1})
+        {
+            staggeredGrid::triple c(grid.position(cell));
+            c[a] += step;
+            const int other = grid.inside(c) ? grid.cell(c) : -1;
+            if
+            (
+                other >= 0
+             && mesh_.has(other)
+             && (toSolid || !grid.blocked(other))
+            )
+            {
+                result.push_back(other);
+            }
+        }
+    }
+    return result;
 }
 
 
 void Foam::melt::meltInterface::bound(scalarField& alphaH)
 {
-    const fvMesh& mesh = mesh_.mesh();
-    const labelListList& cellCells = mesh.cellCells();
-    scalarField& alpha = alpha_.primitiveFieldRef();
-
-    // All cells have the same volume
-    const auto give = [&](const label from, const label to, const scalar part)
+    bool allBounded = true;
+    for (const scalar value : alpha_.primitiveField())
     {
-        const scalar enthalpy =
-            part == alpha[from] ? alphaH[from] : part*alphaH[from]/alpha[from];
-        alpha[from] -= part;
-        alphaH[from] -= enthalpy;
-        alpha[to] += part;
-        alphaH[to] += enthalpy;
-        redistributed_ += mag(part)*mesh.V()[from];
-    };
-
-    const auto bounded = [&](const label celli)
+        allBounded = allBounded && bounded(value);
+    }
+    if (!returnReduce(allBounded, andOp<bool>()))
     {
-        return
-            alpha[celli] <= 1 + dust
-         && (alpha[celli] >= dust || alpha[celli] == 0);
-    };
-
-    // Rings of neighbours around the cell, nearest first: of those that flow,
-    // then, in a full domain, of all
-    const auto distribute = [&](const label celli, const bool toSolid)
-    {
-        labelHashSet seen(labelList(1, celli));
-        labelList ring(1, celli);
-        while (ring.size() && !bounded(celli))
+        std::vector<double> alpha(mesh_.onGrid(alpha_));
+        std::vector<double> alphaHOfCell(mesh_.onGrid(alphaH));
+        for (int cell = 0; cell < mesh_.grid().nCells(); ++cell)
         {
-            DynamicList<label> next;
-            for (const label c : ring)
+            // To cells that flow; in a full domain, to all
+            for (const bool toSolid : {false, true})
             {
-                for (const label neighbour : cellCells[c])
+                if (!bounded(alpha[cell]))
                 {
-                    if
-                    (
-                        (toSolid || accepts(neighbour))
-                     && seen.insert(neighbour)
-                    )
-                    {
-                        next.append(neighbour);
-                    }
+                    distribute(cell, toSolid, alpha, alphaHOfCell);
                 }
-            }
-            Foam::sort(next, [&](const label a, const label b)
-            {
-                return alpha[a] != alpha[b] ? alpha[a] > alpha[b] : a < b;
-            });
-            for (const label neighbour : next)
-            {
-                const scalar room = 1 - alpha[neighbour];
-                if (alpha[celli] > 1 && room > 0)
-                {
-                    give(celli, neighbour, min(alpha[celli] - 1, room));
-                }
-                else if
-                (
-                    !bounded(celli)
-                 && alpha[celli] < dust
-                 && alpha[neighbour] > dust - min(alpha[celli], scalar(0))
-                 && alpha[neighbour] + alpha[celli] <= 1
-                )
-                {
-                    give(celli, neighbour, alpha[celli]);
-                }
-            }
-            ring = next;
-        }
-    };
-
-    forAll(alpha, celli)
-    {
-        for (const bool toSolid : {false, true})
-        {
-            if (!bounded(celli))
-            {
-                distribute(celli, toSolid);
             }
         }
+        alpha_.primitiveFieldRef() = mesh_.onMesh(alpha);
+        alphaH = mesh_.onMesh(alphaHOfCell);
     }
     alpha_.correctBoundaryConditions();
+}
+
+
+void Foam::melt::meltInterface::distribute
+(
+    const int cell,
+    const bool toSolid,
+    std::vector<double>& alpha,
+    std::vector<double>& alphaH
+)
+{
+    // All cells have the same volume
+    const auto give = [&](const int to, const double part)
+    {
+        const double enthalpy =
+            part == alpha[cell] ? alphaH[cell] : part*alphaH[cell]/alpha[cell];
+        alpha[cell] -= part;
+        alphaH[cell] -= enthalpy;
+        alpha[to] += part;
+        alphaH[to] += enthalpy;
+        redistributed_ += mag(part)*mesh_.grid().volume();
+    };
+
+    // Rings of neighbours around the cell, nearest first
+    labelHashSet seen(labelList(1, cell));
+    std::vector<int> ring(1, cell);
+    while (ring.size() && !bounded(alpha[cell]))
+    {
+        std::vector<int> next;
+        for (const int c : ring)
+        {
+            for (const int neighbour : beside(c, toSolid))
+            {
+                if (seen.insert(neighbour))
+                {
+                    next.push_back(neighbour);
+                }
+            }
+        }
+        std::sort(next.begin(), next.end(), [&](const int a, const int b)
+        {
+            return alpha[a] != alpha[b] ? alpha[a] > alpha[b] : a < b;
+        });
+        for (const int neighbour : next)
+        {
+            const double room = 1 - alpha[neighbour];
+            if (alpha[cell] > 1 && room > 0)
+            {
+                give(neighbour, min(alpha[cell] - 1, room));
+            }
+            else if
+            (
+                !bounded(alpha[cell])
+             && alpha[cell] < dust
+             && alpha[neighbour] > dust - min(alpha[cell], 0.0)
+             && alpha[neighbour] + alpha[cell] <= 1
+            )
+            {
+                give(neighbour, alpha[cell]);
+            }
+        }
+        ring.swap(next);
+    }
 }
 
 // ************************************************************************* //

@@ -32,29 +32,35 @@ scalarField shares(const shape& body, const eulerianMesh& mesh)
     // a cell apart are the same
     const boolList inside(body.inside(centres));
     scalarField share(centres.size());
-    labelList mixed;
     forAll(share, celli)
     {
         share[celli] = inside[celli];
+    }
+    const std::vector<double> onGrid(mesh.onGrid(share));
+    labelList mixed;
+    forAll(share, celli)
+    {
         const vector half(0.5*d[0], 0.5*d[1], 0.5*d[2]);
         if (!bounds.overlaps(boundBox(centres[celli] - half, centres[celli] + half)))
         {
             continue;
         }
         bool same = true;
-        const label cell = mesh.gridCell(celli);
-        const staggeredGrid::triple& n = mesh.grid().n();
-        for (label i = 0; i < 27 && same; ++i)
+        const staggeredGrid::triple at
+        (
+            mesh.grid().position(mesh.gridCell(celli))
+        );
+        for (int i = 0; i < 27 && same; ++i)
         {
             const staggeredGrid::triple c
             {
-                cell % n[0] + int(i % 3) - 1,
-                (cell/n[0]) % n[1] + int(i/3 % 3) - 1,
-                cell/(n[0]*n[1]) + int(i/9) - 1
+                at[0] + i % 3 - 1, at[1] + i/3 % 3 - 1, at[2] + i/9 - 1
             };
-            const label other =
-                mesh.grid().inside(c) ? mesh.meshCell(mesh.grid().cell(c)) : -1;
-            same = other < 0 || inside[other] == inside[celli];
+            const int other = mesh.grid().inside(c) ? mesh.grid().cell(c) : -1;
+            same =
+                other < 0
+             || !mesh.has(other)
+             || (onGrid[other] > 0) == inside[celli];
         }
         // A cell at the border of the box of the shape is cut, too
         const bool within =
@@ -104,15 +110,26 @@ void setVelocities
     faceVelocities& U
 )
 {
-    const fvMesh& fv = mesh.mesh();
-    const vectorField velocity(body.velocity(fv.faceCentres()));
-    forAll(fv.neighbour(), facei)
+    const std::vector<double> onGrid(mesh.onGrid(share));
+    DynamicList<point> points;
+    DynamicList<labelPair> faces;
+    mesh.grid().forAllFaces([&](int a, int face, int lower, int upper)
     {
-        if (share[fv.owner()[facei]] > 0 || share[fv.neighbour()[facei]] > 0)
+        if
+        (
+            lower >= 0 && upper >= 0 && mesh.has(lower) && mesh.has(upper)
+         && (onGrid[lower] > 0 || onGrid[upper] > 0)
+        )
         {
-            const eulerianMesh::gridFace& g = mesh.onGrid(facei);
-            U[g.direction][g.face] = velocity[facei][g.direction];
+            points.append(mesh.faceCentre(a, upper));
+            faces.append(labelPair(a, face));
         }
+    });
+    const vectorField velocity(body.velocity(pointField(points)));
+    forAll(faces, i)
+    {
+        const label a = faces[i].first();
+        U[a][faces[i].second()] = velocity[i][a];
     }
 }
 

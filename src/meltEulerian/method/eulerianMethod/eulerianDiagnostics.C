@@ -14,13 +14,13 @@ Foam::scalar Foam::melt::eulerianMethod::mass() const
 {
     return
         scene_.thermo().rho()
-       *sum(interface_.alpha().primitiveField()*region_.mesh().V());
+       *gSum(interface_.alpha().primitiveField()*region_.mesh().V());
 }
 
 
 Foam::scalar Foam::melt::eulerianMethod::enthalpy() const
 {
-    return scene_.thermo().rho()*sum(alphaH_*region_.mesh().V());
+    return scene_.thermo().rho()*gSum(alphaH_*region_.mesh().V());
 }
 
 
@@ -29,7 +29,7 @@ Foam::point Foam::melt::eulerianMethod::centreOfMass() const
     const fvMesh& mesh = region_.mesh();
     const scalarField volume(interface_.alpha().primitiveField()*mesh.V());
     return
-        sum(volume*mesh.C().primitiveField())/max(sum(volume), VSMALL);
+        gSum(volume*mesh.C().primitiveField())/max(gSum(volume), VSMALL);
 }
 
 
@@ -57,6 +57,7 @@ Foam::melt::meltDiagnostics Foam::melt::eulerianMethod::diagnostics() const
     // A cell reaches as far as it is filled, from the side of more melt
     const scalar seen = flow_.wetFrom();
     const tmp<scalarField> fraction(liquidFraction());
+    const std::vector<double> onGrid(region_.onGrid(alpha));
     scalar liquid = 0;
     d.minT = GREAT;
     d.maxT = -GREAT;
@@ -74,12 +75,7 @@ Foam::melt::meltDiagnostics Foam::melt::eulerianMethod::diagnostics() const
         d.minT = min(d.minT, energy_.T()[celli]);
         d.maxT = max(d.maxT, energy_.T()[celli]);
 
-        const label cell = region_.gridCell(celli);
-        const staggeredGrid::triple& n = grid.n();
-        const staggeredGrid::triple c
-        {
-            cell % n[0], (cell/n[0]) % n[1], cell/(n[0]*n[1])
-        };
+        const staggeredGrid::triple c(grid.position(region_.gridCell(celli)));
         point low(mesh.C()[celli]), high(low);
         for (direction a = 0; a < 3; ++a)
         {
@@ -88,9 +84,9 @@ Foam::melt::meltDiagnostics Foam::melt::eulerianMethod::diagnostics() const
             {
                 staggeredGrid::triple to(c);
                 to[a] += step;
-                const label other =
-                    grid.inside(to) ? region_.meshCell(grid.cell(to)) : -1;
-                return other < 0 ? alpha[celli] : alpha[other];
+                return
+                    grid.inside(to) && region_.has(grid.cell(to))
+                  ? onGrid[grid.cell(to)] : alpha[celli];
             };
             const scalar below = beside(-1), above = beside(1);
             const scalar part = 2*half*(1 - min(alpha[celli], scalar(1)));
@@ -109,6 +105,13 @@ Foam::melt::meltDiagnostics Foam::melt::eulerianMethod::diagnostics() const
           + (min(alpha[celli], scalar(1)) - 0.5)*edge
         );
     }
+    reduce(liquid, sumOp<scalar>());
+    reduce(d.kineticEnergy, sumOp<scalar>());
+    reduce(d.maxU, maxOp<scalar>());
+    reduce(d.minT, minOp<scalar>());
+    reduce(d.maxT, maxOp<scalar>());
+    reduce(d.frontRadius, maxOp<scalar>());
+    bounds.reduce();
     if (d.mass > 0)
     {
         d.meltedFraction = liquid/d.mass;
@@ -140,8 +143,8 @@ void Foam::melt::eulerianMethod::report(Ostream& os) const
         << ", iterations " << label(flowRecord_.iterations)
         << ", max |div U| " << flowRecord_.maxDivergence << " 1/s" << nl
         << "Interface: steps " << interfaceSteps_ << ", alpha "
-        << min(interface_.alpha().primitiveField()) << " .. 1 + "
-        << max(interface_.alpha().primitiveField()) - 1
+        << gMin(interface_.alpha().primitiveField()) << " .. 1 + "
+        << gMax(interface_.alpha().primitiveField()) - 1
         << ", given to neighbours " << interface_.redistributed() << " m3" << nl
         << "Energy: iterations " << energyRecord_.iterations << nl
         << "     mass error " << massError << " kg, energy error "

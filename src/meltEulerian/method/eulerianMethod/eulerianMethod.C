@@ -186,7 +186,7 @@ Foam::label Foam::melt::eulerianMethod::nParticles() const
     {
         n += alpha > 0;
     }
-    return n;
+    return returnReduce(n, sumOp<label>());
 }
 
 

@@ -19,7 +19,8 @@ Foam::IOobject Foam::melt::eulerianMethod::stateIO
     (
         "state",
         mesh_.time().timeName(),
-        region_.mesh(),
+        "uniform"/eulerianMesh::regionName,
+        mesh_,
         r,
         IOobject::NO_WRITE,
         false
@@ -38,9 +39,9 @@ void Foam::melt::eulerianMethod::writeState() const
         }
     };
 
-    list.append(region_.mesh().nCells());
-    append(interface_.alpha().primitiveField());
-    append(alphaH_);
+    list.append(region_.grid().nCells());
+    append(region_.onGrid(interface_.alpha()));
+    append(region_.onGrid(alphaH_));
     for (const std::vector<double>& U : flow_.U())
     {
         append(U);
@@ -73,8 +74,8 @@ void Foam::melt::eulerianMethod::writeState() const
 void Foam::melt::eulerianMethod::readState()
 {
     const IOField<scalar> list(stateIO(IOobject::MUST_READ));
-    const label nCells = region_.mesh().nCells();
-    label size = 1 + 2*nCells + region_.grid().nCells() + 11;
+    const label nCells = region_.grid().nCells();
+    label size = 1 + 3*nCells + 11;
     for (int a = 0; a < 3; ++a)
     {
         size += region_.grid().nFaces(a);
@@ -95,9 +96,12 @@ void Foam::melt::eulerianMethod::readState()
             value = list[i++];
         }
     };
-    take(interface_.alpha().primitiveFieldRef());
+    std::vector<double> ofCell(nCells);
+    take(ofCell);
+    interface_.alpha().primitiveFieldRef() = region_.onMesh(ofCell);
     interface_.alpha().correctBoundaryConditions();
-    take(alphaH_);
+    take(ofCell);
+    alphaH_ = region_.onMesh(ofCell);
     faceVelocities U(flow_.U());
     for (std::vector<double>& component : U)
     {

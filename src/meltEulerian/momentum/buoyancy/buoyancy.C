@@ -47,23 +47,27 @@ Foam::melt::faceVelocities Foam::melt::buoyancy::acceleration
     }
     if (beta_ != 0)
     {
-        const auto buoyant = [&](const label celli)
+        const std::vector<double> alphaOfCell(mesh.onGrid(alpha));
+        const std::vector<double> TOfCell(mesh.onGrid(T));
+        const auto buoyant = [&](const int cell)
         {
             return
-                alpha[celli] > VSMALL ? 1 - beta_*(T[celli] - TRef_) : -1;
+                alphaOfCell[cell] > VSMALL
+              ? 1 - beta_*(TOfCell[cell] - TRef_) : -1;
         };
-        const fvMesh& fv = mesh.mesh();
-        forAll(fv.neighbour(), facei)
+        mesh.grid().forAllFaces([&](int a, int face, int lower, int upper)
         {
-            const scalar own = buoyant(fv.owner()[facei]);
-            const scalar nei = buoyant(fv.neighbour()[facei]);
-            if (own >= 0 || nei >= 0)
+            if (lower >= 0 && upper >= 0 && mesh.has(lower) && mesh.has(upper))
             {
-                const eulerianMesh::gridFace& f = mesh.onGrid(facei);
-                result[f.direction][f.face] *=
-                    own < 0 ? nei : nei < 0 ? own : 0.5*(own + nei);
+                const scalar below = buoyant(lower), above = buoyant(upper);
+                if (below >= 0 || above >= 0)
+                {
+                    result[a][face] *=
+                        below < 0 ? above
+                      : above < 0 ? below : 0.5*(below + above);
+                }
             }
-        }
+        });
     }
     return result;
 }

@@ -9,47 +9,6 @@
 #include <algorithm>
 #include <cmath>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using Foam::melt::staggeredGrid;
-using Foam::melt::strainElements;
-
-//- Calls action(a, face, lower cell, upper cell) for all faces, cells outside
-//  the box being -1
-template<class Action>
-void forAllFaces(const staggeredGrid& grid, const Action& action)
-{
-    for (int a = 0; a < 3; ++a)
-    {
-        staggeredGrid::triple c, end(grid.n());
-        end[a] = grid.nLayers(a);
-        for (c[2] = 0; c[2] < end[2]; ++c[2])
-        {
-            for (c[1] = 0; c[1] < end[1]; ++c[1])
-            {
-                for (c[0] = 0; c[0] < end[0]; ++c[0])
-                {
-                    staggeredGrid::triple lower(c);
-                    --lower[a];
-                    action
-                    (
-                        a,
-                        grid.face(a, c),
-                        grid.inside(lower) ? grid.cell(lower) : -1,
-                        grid.inside(c) ? grid.cell(c) : -1
-                    );
-                }
-            }
-        }
-    }
-}
-
-} // End anonymous namespace
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::melt::stokesSystem::setDivergence()
@@ -58,7 +17,7 @@ void Foam::melt::stokesSystem::setDivergence()
     std::vector<Eigen::Triplet<double>> entries;
     volume_.setZero(elements_.nVelocities());
     system_.g.setZero(elements_.nPressures());
-    forAllFaces(grid, [&](int a, int face, int lower, int upper)
+    grid.forAllFaces([&](int a, int face, int lower, int upper)
     {
         const int u = elements_.velocity(a, face);
         const double area = grid.volume()/grid.d()[a];
@@ -115,7 +74,7 @@ void Foam::melt::stokesSystem::setInertia
     system_.M = volume_*(rho/dt);
     drag_ = system_.M;
     force_.setZero(elements_.nVelocities());
-    forAllFaces(grid, [&](int a, int face, int lower, int upper)
+    grid.forAllFaces([&](int a, int face, int lower, int upper)
     {
         const int u = elements_.velocity(a, face);
         if (u >= 0)
@@ -196,7 +155,7 @@ void Foam::melt::stokesSystem::get
 ) const
 {
     const staggeredGrid& grid = elements_.grid();
-    forAllFaces(grid, [&](int a, int face, int, int)
+    grid.forAllFaces([&](int a, int face, int, int)
     {
         const int u = elements_.velocity(a, face);
         const auto condition = grid.at(a, face);
