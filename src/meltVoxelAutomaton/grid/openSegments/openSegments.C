@@ -5,139 +5,87 @@
 \*---------------------------------------------------------------------------*/
 
 #include "openSegments.H"
+#include "columnCutter.H"
 
 #include <algorithm>
 #include <cstring>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::melt::openSegments::measure
-(
-    const voxelGrid& grid,
-    const int x,
-    const int y,
-    openSegment& s
-)
+void Foam::melt::openSegments::cut(const voxelGrid& grid, slot& s)
 {
-    constexpr std::int64_t full = voxelMaterial::full;
-    const bool bottomless = s.z0 == 0 && grid.open(4);
+    const std::array<int, 3>& n = grid.n();
+    s.segments.clear();
+    s.wet = 0;
+    s.receives = 0;
 
-    std::int64_t energy = 0;
-    s.mass = 0;
-    s.top = s.z0 - 1;
-    s.room = 0;
-    s.base = s.z0;
-    bool pool = !bottomless;
-
-    s.base += grid.brickAt(x, y, s.z0).rock[voxelBrick::offset(x, y, s.z0)]/256.0;
-
-    // By bricks; no voxel of a segment is rock or solid throughout
-    for (int begin = s.z0; begin <= s.z1; begin = (begin | 7) + 1)
+    // The layers of bricks in which there is something
+    std::vector<std::pair<int, const voxelBrick*>> layers;
+    for (int bz = 0; bz < grid.nBricks()[2]; ++bz)
     {
-        const int end = std::min(begin | 7, s.z1) + 1;
-        const int index = grid.brickIndex(x >> 3, y >> 3, begin >> 3);
-        if (!grid.allocated(index))
+        const int index = grid.brickIndex(s.bx, s.by, bz);
+        if (!grid.isVoid(index))
         {
-            s.room += (end - begin)*full;
-            pool = false;
+            layers.emplace_back(8*bz, &grid.brick(index));
+        }
+    }
+
+    for (int column = 0; column < 64; ++column)
+    {
+        s.start[column] = int(s.segments.size());
+        if (8*s.bx + column/8 >= n[0] || 8*s.by + column % 8 >= n[1])
+        {
             continue;
         }
-        const voxelBrick& b = grid.brick(index);
-        const int first = voxelBrick::offset(x, y, begin);
-        std::int64_t mass = 0, rock = 0;
-        for (int i = first; i < first + end - begin; ++i)
+        columnCutter cutter(grid, s.segments);
+        int z = 0;
+        for (const auto& layer : layers)
         {
-            mass += b.mass[i];
-            rock += b.rock[i];
-        }
-        s.room += (end - begin)*full - mass - rock*(full/256);
-
-        for (int z = begin; pool && z < end; ++z)
-        {
-            const int i = voxelBrick::offset(x, y, z);
-            pool = b.phase[i] == LIQUID;
-            if (pool)
+            const int z0 = layer.first;
+            const voxelBrick& b = *layer.second;
+            if (z < z0)
             {
-                s.top = z;
-                s.mass += b.mass[i];
-                energy += b.energy[i];
+                cutter.empty(z, z0);
             }
-        }
-    }
+            z = std::min(z0 + 8, n[2]);
 
-    s.height = double(s.mass)/full;
-    s.T = 0;
-    if (s.mass > 0)
-    {
-        const voxelMaterial& material = grid.material();
-        s.T = material.curve.T
-        (
-            energy*material.energyUnit/(s.mass*material.massUnit)
-        );
-    }
-    s.in = s.inEnergy = s.out = s.outEnergy = 0;
-}
-
-
-void Foam::melt::openSegments::cutColumn
-(
-    const voxelGrid& grid,
-    const int x,
-    const int y,
-    std::vector<openSegment>& segments
-)
-{
-    constexpr std::uint64_t highBits = 0x0202020202020202;
-    const int n = grid.n()[2];
-    int begin = -1;
-
-    const auto close = [&](const int end)
-    {
-        if (begin >= 0)
-        {
-            openSegment s;
-            s.z0 = begin;
-            s.z1 = end - 1;
-            measure(grid, x, y, s);
-            segments.push_back(s);
-            begin = -1;
-        }
-    };
-
-    for (int z0 = 0; z0 < n; z0 += 8)
-    {
-        const voxelBrick& b = grid.brickAt(x, y, z0);
-        const std::uint8_t* phase = b.phase + voxelBrick::offset(x, y, z0);
-
-        // SOLID and ROCK have the second bit
-        std::uint64_t closed;
-        std::memcpy(&closed, phase, sizeof(closed));
-        closed &= highBits;
-
-        if (closed == 0)
-        {
-            begin = begin < 0 ? z0 : begin;
-        }
-        else if (closed == highBits)
-        {
-            close(z0);
-        }
-        else
-        {
-            for (int i = 0; i < 8 && z0 + i < n; ++i)
+            // SOLID and ROCK have the second bit
+            constexpr std::uint64_t allClosed = 0x0202020202020202;
+            const int i = 8*column;
+            std::uint64_t closed;
+            std::memcpy(&closed, b.phase + i, sizeof(closed));
+            closed &= allClosed;
+            if (closed == allClosed)
             {
-                if (phase[i] & 2)
+                cutter.close(z0);
+            }
+            else if (closed == 0 && z == z0 + 8)
+            {
+                cutter.column(b, i, z0);
+            }
+            else
+            {
+                for (int k = 0; k < z - z0; ++k)
                 {
-                    close(z0 + i);
-                }
-                else if (begin < 0)
-                {
-                    begin = z0 + i;
+                    if (b.phase[i + k] & 2)
+                    {
+                        cutter.close(z0 + k);
+                    }
+                    else
+                    {
+                        cutter.voxels(b, i + k, z0 + k, 1);
+                    }
                 }
             }
         }
+        if (z < n[2])
+        {
+            cutter.empty(z, n[2]);
+        }
+        cutter.close(n[2]);
+        s.wet |= std::uint64_t(cutter.wet) << column;
     }
-    close(n);
+    s.start[64] = int(s.segments.size());
 }
 
 
@@ -187,18 +135,7 @@ void Foam::melt::openSegments::build(voxelGrid& grid)
     #pragma omp parallel for schedule(dynamic, 4)
     for (int i = 0; i < n; ++i)
     {
-        slot& s = slots_[i];
-        s.segments.clear();
-        for (int column = 0; column < 64; ++column)
-        {
-            const int x = 8*s.bx + column/8, y = 8*s.by + column % 8;
-            s.start[column] = int(s.segments.size());
-            if (x < grid.n()[0] && y < grid.n()[1])
-            {
-                cutColumn(grid, x, y, s.segments);
-            }
-        }
-        s.start[64] = int(s.segments.size());
+        cut(grid, slots_[i]);
     }
 }
 
