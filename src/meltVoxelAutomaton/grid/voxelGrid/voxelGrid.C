@@ -25,6 +25,7 @@ bool columnIsVoid(const Foam::melt::voxelBrick& b, const int i)
     return !something;
 }
 
+
 } // End anonymous namespace
 
 
@@ -64,6 +65,58 @@ Foam::melt::voxelBrick& Foam::melt::voxelGrid::make(const int index)
         listChanged_ = true;
     }
     return *own_[index];
+}
+
+
+Foam::melt::voxelGrid::columnState Foam::melt::voxelGrid::refreshColumn
+(
+    voxelBrick& b,
+    const int i
+)
+{
+    // One thing after the other, each for all eight: whole vectors
+    double h[8];
+    std::uint8_t phase[8];
+    #pragma omp simd
+    for (int k = 0; k < 8; ++k)
+    {
+        h[k] = material_.h(std::max(b.mass[i + k], 1), b.energy[i + k]);
+    }
+    #pragma omp simd
+    for (int k = 0; k < 8; ++k)
+    {
+        const double T = material_.curve.T(h[k]);
+        b.T[i + k] = b.mass[i + k] > 0 ? T : b.T[i + k];
+    }
+    #pragma omp simd
+    for (int k = 0; k < 8; ++k)
+    {
+        const voxelPhase melt = material_.flows(h[k]) ? LIQUID : SOLID;
+        const voxelPhase open = b.mass[i + k] > 0 ? melt : EMPTY;
+        phase[k] = b.phase[i + k] == ROCK ? ROCK : open;
+    }
+
+    columnState s{0, 0, 0, false, false};
+    std::int64_t left = 0;
+    for (int k = 0; k < 8; ++k)
+    {
+        s.nLiquid += phase[k] == LIQUID;
+        s.nSolid += phase[k] == SOLID;
+        s.nRock += phase[k] == ROCK;
+        s.used |= phase[k] != EMPTY || b.rock[i + k] > 0;
+        s.solidsChanged |= (phase[k] == SOLID) != (b.phase[i + k] == SOLID);
+        left |= phase[k] == EMPTY ? b.energy[i + k] : 0;
+        b.phase[i + k] = phase[k];
+    }
+    for (int k = i; left && k < i + 8; ++k)
+    {
+        if (b.phase[k] == EMPTY)
+        {
+            addResidual(b.energy[k]);
+            b.energy[k] = 0;
+        }
+    }
+    return s;
 }
 
 
@@ -169,39 +222,19 @@ void Foam::melt::voxelGrid::refresh()
         b.nSolid = 0;
         bool used = false;
         bool rock = true;
-        for (int i = 0; i < voxelBrick::size; ++i)
+        for (int i = 0; i < voxelBrick::size; i += 8)
         {
-            if ((i & 7) == 0 && columnIsVoid(b, i))
+            if (columnIsVoid(b, i))
             {
                 rock = false;
-                i += 7;
                 continue;
             }
-            if (b.phase[i] == ROCK)
-            {
-                used = true;
-                continue;
-            }
-            rock = false;
-            used = used || b.rock[i];
-            std::uint8_t phase = EMPTY;
-            if (b.mass[i] > 0)
-            {
-                const double h = material_.h(b.mass[i], b.energy[i]);
-                b.T[i] = material_.curve.T(h);
-                phase = material_.flows(h) ? LIQUID : SOLID;
-                ++(phase == LIQUID ? b.nLiquid : b.nSolid);
-                used = true;
-            }
-            else if (b.energy[i])
-            {
-                addResidual(b.energy[i]);
-                b.energy[i] = 0;
-            }
-            solidsChanged =
-                solidsChanged
-             || (phase != b.phase[i] && (phase == SOLID || b.phase[i] == SOLID));
-            b.phase[i] = phase;
+            const columnState state(refreshColumn(b, i));
+            b.nLiquid += state.nLiquid;
+            b.nSolid += state.nSolid;
+            used = used || state.used;
+            rock = rock && state.nRock == 8;
+            solidsChanged = solidsChanged || state.solidsChanged;
         }
         b.changed = false;
         b.conducting = true;
