@@ -6,7 +6,6 @@
 
 #include "looseSolids.H"
 
-#include <algorithm>
 #include <cmath>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -22,7 +21,39 @@ int Foam::melt::looseSolids::find(int i)
 }
 
 
-int Foam::melt::looseSolids::numberAt
+template<class Action>
+void Foam::melt::looseSolids::forRuns
+(
+    const voxelGrid& grid,
+    const int x,
+    const int y,
+    const int z0,
+    const int z1,
+    const Action& action
+) const
+{
+    if (!grid.inside(x, y, z0))
+    {
+        return;
+    }
+    const std::vector<int>& first =
+        first_[grid.brickIndex(x >> 3, y >> 3, z0 >> 3)];
+    if (first.empty())
+    {
+        return;
+    }
+    const int column = (x & 7)*8 + (y & 7);
+    for (int i = first[column]; i < first[column + 1]; ++i)
+    {
+        if (runs_[i].z0 <= z1 && runs_[i].z1 >= z0)
+        {
+            action(i);
+        }
+    }
+}
+
+
+int Foam::melt::looseSolids::runAt
 (
     const voxelGrid& grid,
     const int x,
@@ -30,26 +61,22 @@ int Foam::melt::looseSolids::numberAt
     const int z
 ) const
 {
-    if (!grid.inside(x, y, z))
-    {
-        return -1;
-    }
-    const std::vector<int>& numbers =
-        number_[grid.brickIndex(x >> 3, y >> 3, z >> 3)];
-    return numbers.empty() ? -1 : numbers[voxelBrick::offset(x, y, z)];
+    int result = -1;
+    forRuns(grid, x, y, z, z, [&](const int i) { result = i; });
+    return result;
 }
 
 
-void Foam::melt::looseSolids::connect(voxelGrid& grid)
+void Foam::melt::looseSolids::listRuns(voxelGrid& grid)
 {
-    voxels_.clear();
-    number_.resize
+    runs_.clear();
+    first_.resize
     (
         std::size_t(grid.nBricks()[0])*grid.nBricks()[1]*grid.nBricks()[2]
     );
-    for (std::vector<int>& numbers : number_)
+    for (std::vector<int>& first : first_)
     {
-        numbers.clear();
+        first.clear();
     }
     for (const int index : grid.list())
     {
@@ -59,39 +86,74 @@ void Foam::melt::looseSolids::connect(voxelGrid& grid)
             continue;
         }
         const std::array<int, 3> o = grid.origin(index);
-        number_[index].assign(voxelBrick::size, -1);
-        for (int i = 0; i < voxelBrick::size; ++i)
+        std::vector<int>& first = first_[index];
+        first.resize(65);
+        for (int column = 0; column < 64; ++column)
         {
-            if (b.phase[i] == SOLID)
+            first[column] = int(runs_.size());
+            const std::uint8_t* phase = b.phase + 8*column;
+            for (int k = 0; k < 8; ++k)
             {
-                number_[index][i] = int(voxels_.size());
-                voxels_.push_back
-                (
-                    {o[0] + (i >> 6), o[1] + ((i >> 3) & 7), o[2] + (i & 7)}
-                );
+                if (phase[k] != SOLID)
+                {
+                    continue;
+                }
+                const int z = o[2] + k;
+                if (k > 0 && phase[k - 1] == SOLID)
+                {
+                    runs_.back().z1 = z;
+                }
+                else
+                {
+                    runs_.push_back
+                    (
+                        {o[0] + column/8, o[1] + column % 8, z, z}
+                    );
+                }
             }
         }
+        first[64] = int(runs_.size());
     }
+}
 
-    root_.resize(voxels_.size());
+
+void Foam::melt::looseSolids::connect(voxelGrid& grid)
+{
+    listRuns(grid);
+    root_.resize(runs_.size());
     for (std::size_t i = 0; i < root_.size(); ++i)
     {
         root_[i] = int(i);
     }
-    for (std::size_t i = 0; i < voxels_.size(); ++i)
+
+    // Half of the 26 neighbours of each voxel: the other half finds it
+    constexpr int beside[4][2] = {{1, -1}, {1, 0}, {1, 1}, {0, 1}};
+    for (int i = 0; i < int(runs_.size()); ++i)
     {
-        const std::array<int, 3>& v = voxels_[i];
-        for (int n = 14; n < 27; ++n)
+        const run& r = runs_[i];
+        const int floor = r.z0 & ~7, ceiling = r.z1 | 7;
+        const auto joinTo = [&](const int j) { join(i, j); };
+        for (const int (&step)[2] : beside)
         {
-            const int j = numberAt
+            const int x = r.x + step[0], y = r.y + step[1];
+            forRuns
             (
-                grid, v[0] + n/9 - 1, v[1] + n/3 % 3 - 1, v[2] + n % 3 - 1
+                grid, x, y,
+                std::max(r.z0 - 1, floor), std::min(r.z1 + 1, ceiling),
+                joinTo
             );
-            if (j >= 0)
+            if (r.z0 == floor)
             {
-                const int a = find(int(i)), b = find(j);
-                root_[std::max(a, b)] = std::min(a, b);
+                forRuns(grid, x, y, floor - 1, floor - 1, joinTo);
             }
+            if (r.z1 == ceiling)
+            {
+                forRuns(grid, x, y, ceiling + 1, ceiling + 1, joinTo);
+            }
+        }
+        if (r.z1 == ceiling)
+        {
+            forRuns(grid, r.x, r.y, ceiling + 1, ceiling + 1, joinTo);
         }
     }
 }
@@ -105,25 +167,32 @@ bool Foam::melt::looseSolids::held
 {
     for (const int i : piece)
     {
-        const std::array<int, 3>& v = voxels_[i];
-        for (int side = 0; side < 4; ++side)
-        {
-            const int x = v[0] + (side == 0) - (side == 1);
-            const int y = v[1] + (side == 2) - (side == 3);
-            if (grid.inside(x, y, v[2]) && grid.phase(x, y, v[2]) == ROCK)
-            {
-                return true;
-            }
-        }
-        if (v[2] == 0)
+        const run& r = runs_[i];
+        if (r.z0 == 0)
         {
             return true;
         }
-        const voxelBrick& b = grid.brickAt(v[0], v[1], v[2] - 1);
-        const int below = voxelBrick::offset(v[0], v[1], v[2] - 1);
+        const voxelBrick& b = grid.brickAt(r.x, r.y, r.z0 - 1);
+        const int below = voxelBrick::offset(r.x, r.y, r.z0 - 1);
         if (b.phase[below] == ROCK || b.rock[below] > 0)
         {
             return true;
+        }
+    }
+    for (const int i : piece)
+    {
+        const run& r = runs_[i];
+        for (int side = 0; side < 4; ++side)
+        {
+            const int x = r.x + (side == 0) - (side == 1);
+            const int y = r.y + (side == 2) - (side == 3);
+            for (int z = r.z0; z <= r.z1; ++z)
+            {
+                if (grid.inside(x, y, z) && grid.phase(x, y, z) == ROCK)
+                {
+                    return true;
+                }
+            }
         }
     }
     return false;
@@ -140,17 +209,17 @@ bool Foam::melt::looseSolids::canFall
     {
         return false;
     }
-    const int root = find(piece[0]);
     double below = 0, filled = 0;
     for (const int i : piece)
     {
-        const std::array<int, 3>& v = voxels_[i];
-        const int j = numberAt(grid, v[0], v[1], v[2] - 1);
-        if (j < 0 || find(j) != root)
+        const run& r = runs_[i];
+
+        // Solid below is of the same piece
+        if (runAt(grid, r.x, r.y, r.z0 - 1) < 0)
         {
             below += 1;
             filled +=
-                double(grid.mass(v[0], v[1], v[2] - 1))/voxelMaterial::full;
+                double(grid.mass(r.x, r.y, r.z0 - 1))/voxelMaterial::full;
         }
     }
     return filled < 0.5*below;
@@ -167,44 +236,36 @@ void Foam::melt::looseSolids::moveDown
     // which takes melt in the way up through the piece
     for (const int i : piece)
     {
-        const std::array<int, 3>& v = voxels_[i];
-        voxelBrick& upper = grid.ownAt(v[0], v[1], v[2]);
-        voxelBrick& lower = grid.ownAt(v[0], v[1], v[2] - 1);
-        const int a = voxelBrick::offset(v[0], v[1], v[2]);
-        const int b = voxelBrick::offset(v[0], v[1], v[2] - 1);
-        std::swap(upper.mass[a], lower.mass[b]);
-        std::swap(upper.energy[a], lower.energy[b]);
-        upper.changed = true;
-        lower.changed = true;
+        const run& r = runs_[i];
+        for (int z = r.z0; z <= r.z1; ++z)
+        {
+            voxelBrick& upper = grid.ownAt(r.x, r.y, z);
+            voxelBrick& lower = grid.ownAt(r.x, r.y, z - 1);
+            const int a = voxelBrick::offset(r.x, r.y, z);
+            const int b = voxelBrick::offset(r.x, r.y, z - 1);
+            std::swap(upper.mass[a], lower.mass[b]);
+            std::swap(upper.energy[a], lower.energy[b]);
+            upper.changed = true;
+            lower.changed = true;
+        }
     }
 }
 
 
 std::vector<std::vector<int>> Foam::melt::looseSolids::pieces()
 {
+    // Bricks are in ascending order, the higher after the lower
     std::vector<std::vector<int>> result;
-    std::vector<int> order(voxels_.size(), -1);
-    for (std::size_t i = 0; i < voxels_.size(); ++i)
+    std::vector<int> order(runs_.size(), -1);
+    for (int i = 0; i < int(runs_.size()); ++i)
     {
-        int& place = order[find(int(i))];
+        int& place = order[find(i)];
         if (place < 0)
         {
             place = int(result.size());
             result.emplace_back();
         }
-        result[place].push_back(int(i));
-    }
-    for (std::vector<int>& piece : result)
-    {
-        std::stable_sort
-        (
-            piece.begin(),
-            piece.end(),
-            [&](const int a, const int b)
-            {
-                return voxels_[a][2] < voxels_[b][2];
-            }
-        );
+        result[place].push_back(i);
     }
     return result;
 }
@@ -226,11 +287,11 @@ void Foam::melt::looseSolids::findLoose(const voxelGrid& grid)
         {
             continue;
         }
-        const std::array<int, 3>& v = voxels_[piece[0]];
-        falling f{v[0], v[1], v[2], 0, 0};
+        const run& r = runs_[piece[0]];
+        falling f{r.x, r.y, r.z0, 0, 0};
         for (const falling& known : before)
         {
-            const int i = numberAt(grid, known.x, known.y, known.z);
+            const int i = runAt(grid, known.x, known.y, known.z);
             if (i >= 0 && find(i) == find(piece[0]))
             {
                 f.speed = std::max(f.speed, known.speed);
@@ -244,12 +305,12 @@ void Foam::melt::looseSolids::findLoose(const voxelGrid& grid)
 
 bool Foam::melt::looseSolids::fallOneVoxel(voxelGrid& grid, falling& f)
 {
-    const int number = numberAt(grid, f.x, f.y, f.z);
-    if (number < 0)
+    const int found = runAt(grid, f.x, f.y, f.z);
+    if (found < 0)
     {
         return false;
     }
-    const int root = find(number);
+    const int root = find(found);
     for (const std::vector<int>& piece : pieces())
     {
         if (find(piece[0]) == root && canFall(grid, piece))
