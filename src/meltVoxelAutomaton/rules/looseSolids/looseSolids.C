@@ -172,11 +172,15 @@ bool Foam::melt::looseSolids::held
         {
             return true;
         }
-        const voxelBrick& b = grid.brickAt(r.x, r.y, r.z0 - 1);
-        const int below = voxelBrick::offset(r.x, r.y, r.z0 - 1);
-        if (b.phase[below] == ROCK || b.rock[below] > 0)
+        // Rock below, or in part of its voxels
+        for (int z = r.z0 - 1; z <= r.z1; ++z)
         {
-            return true;
+            const voxelBrick& b = grid.brickAt(r.x, r.y, z);
+            const int voxel = voxelBrick::offset(r.x, r.y, z);
+            if (b.phase[voxel] == ROCK || b.rock[voxel] > 0)
+            {
+                return true;
+            }
         }
     }
     for (const int i : piece)
