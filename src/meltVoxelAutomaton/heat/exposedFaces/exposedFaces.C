@@ -16,6 +16,96 @@ namespace
 
 using namespace Foam::melt;
 
+//- Share of a voxel that melt and rock take; own where there is only rock, or
+//  a wall
+float filledAt
+(
+    const voxelGrid& grid,
+    const int x,
+    const int y,
+    const int z,
+    const float own
+)
+{
+    if (!grid.inside(x, y, z))
+    {
+        return grid.outsidePhase(x, y, z) == EMPTY ? 0 : own;
+    }
+    const voxelBrick& b = grid.brickAt(x, y, z);
+    const int i = voxelBrick::offset(x, y, z);
+    return
+        b.phase[i] == ROCK
+      ? own : float(b.mass[i])/voxelMaterial::full + b.rock[i]/256.0f;
+}
+
+
+//- |n| / (|nx| + |ny| + |nz|) of the surface through a voxel, with the normal
+//  n = -grad(filled), by differences over its 26 neighbours
+float slant
+(
+    const voxelGrid& grid,
+    const std::array<int, 3>& v,
+    const float own
+)
+{
+    constexpr float weight[3] = {1, 2, 1};
+    float n[3] = {0, 0, 0};
+    for (int x = 0; x < 3; ++x)
+    {
+        for (int y = 0; y < 3; ++y)
+        {
+            for (int z = 0; z < 3; ++z)
+            {
+                const float f = filledAt
+                (
+                    grid, v[0] + x - 1, v[1] + y - 1, v[2] + z - 1, own
+                );
+                n[0] += (1 - x)*weight[y]*weight[z]*f;
+                n[1] += (1 - y)*weight[z]*weight[x]*f;
+                n[2] += (1 - z)*weight[x]*weight[y]*f;
+            }
+        }
+    }
+    const float sum = std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]);
+
+    // A sheet of one voxel has no normal, and both its sides count
+    return
+        sum > 0.1f
+      ? std::sqrt(n[0]*n[0] + n[1]*n[1] + n[2]*n[2])/sum : 1;
+}
+
+
+//- Area of a free face: where the voxels behind it hold more, as at a slope
+//  that cuts several voxels, it stands for them too
+float areaOfFace
+(
+    const voxelGrid& grid,
+    const std::array<int, 3>& v,
+    const std::array<int, 3>& normal,
+    const float own
+)
+{
+    float area = own;
+    for (int step = 1; area < 1; ++step)
+    {
+        const int x = v[0] - step*normal[0];
+        const int y = v[1] - step*normal[1];
+        const int z = v[2] - step*normal[2];
+        if (!grid.inside(x, y, z))
+        {
+            break;
+        }
+        const float behind = float(grid.mass(x, y, z))/voxelMaterial::full;
+        if (behind <= area)
+        {
+            break;
+        }
+        area = behind;
+    }
+    return area;
+}
+
+
 void facesOfVoxel
 (
     const voxelGrid& grid,
@@ -26,8 +116,6 @@ void facesOfVoxel
 )
 {
     const std::size_t begin = free.size();
-    float sum[3] = {0, 0, 0};
-    float largest = 0, total = 0;
 
     // A film on what is below has the voxel's area; what falls is a drop
     const bool falling =
@@ -37,28 +125,24 @@ void facesOfVoxel
     {
         const std::array<int, 3> n = exposedFaces::normal(side);
         const int x = v[0] + n[0], y = v[1] + n[1], z = v[2] + n[2];
-        const float area = side < 4 ? filled : across;
-        exposedFace face{v[0], v[1], v[2], side, area, area};
+        const float own = side < 4 ? filled : across;
         if (!grid.inside(x, y, z))
         {
-            atSides.push_back(face);
+            atSides.push_back({v[0], v[1], v[2], side, own, own});
         }
         else if (grid.phase(x, y, z) == EMPTY)
         {
-            free.push_back(face);
-            sum[side/2] += area*n[side/2];
-            largest = std::max(largest, area);
-            total += area;
+            const float area = areaOfFace(grid, v, n, own);
+            free.push_back({v[0], v[1], v[2], side, area, area});
         }
     }
-    const float surface = std::max
-    (
-        largest,
-        std::sqrt(sum[0]*sum[0] + sum[1]*sum[1] + sum[2]*sum[2])
-    );
-    for (std::size_t i = begin; i < free.size(); ++i)
+    if (free.size() > begin)
     {
-        free[i].smooth = free[i].area*surface/total;
+        const float factor = slant(grid, v, filledAt(grid, v[0], v[1], v[2], 0));
+        for (std::size_t i = begin; i < free.size(); ++i)
+        {
+            free[i].smooth *= factor;
+        }
     }
 }
 
