@@ -18,7 +18,12 @@ Usage
     \verbatim
     meltFoam -case bunny
     meltFoam -case bunny -method sph -resolution 0.002 -verbose
+    meltFoam -case bunny -budget 60s
+    meltFoam -case bunny -accuracy 0.03
     \endverbatim
+
+    What -budget and -accuracy choose, and which option overrules which: see
+    runChoice.
 
 \*---------------------------------------------------------------------------*/
 
@@ -26,6 +31,7 @@ Usage
 #include "domainMesh.H"
 #include "fvMesh.H"
 #include "profiling.H"
+#include "runChoice.H"
 #include "runLog.H"
 #include "sigFpe.H"
 #include "stepShares.H"
@@ -38,11 +44,7 @@ using namespace Foam::melt;
 int main(int argc, char* argv[])
 {
     argList::addNote("Melting and flowing of highly viscous materials");
-    argList::addOption("method", "name", "Overrides method of controlDict");
-    argList::addOption
-    (
-        "resolution", "m", "Overrides resolution of controlDict and nParticles"
-    );
+    runChoice::addOptions();
     argList::addBoolOption("verbose", "Log each step, not only write times");
 
     argList args(argc, argv);
@@ -69,28 +71,12 @@ int main(int argc, char* argv[])
         )
     );
 
-    const scalar resolution = args.opt<scalar>("resolution", 0);
-    if (args.found("resolution") && !(resolution > 0))
-    {
-        FatalErrorInFunction
-            << "Option -resolution is " << resolution
-            << ", accepted: a number > 0 [m]" << exit(FatalError);
-    }
-
-    const meltScene scene(mesh, resolution);
+    const runChoice choice(args, mesh);
+    const meltScene scene(mesh, choice.resolution(), choice.preset());
     scene.effects().report(Info);
 
-    autoPtr<meltMethod> method
-    (
-        meltMethod::New
-        (
-            args.found("method")
-          ? args.opt<word>("method")
-          : runTime.controlDict().get<word>("method"),
-            mesh,
-            scene
-        )
-    );
+    autoPtr<meltMethod> method(meltMethod::New(choice.method(), mesh, scene));
+    choice.reportStart(method->maxDeltaT(), runTime);
 
     runLog log(runTime, scene, *method, args.found("verbose"));
 
@@ -119,6 +105,7 @@ int main(int argc, char* argv[])
     }
 
     log.end();
+    choice.reportEnd(log.cpuTime(), log.steps());
     stepShares::print(Info);
 
     Info<< "End" << nl << endl;

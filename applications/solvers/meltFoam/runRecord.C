@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "runRecord.H"
+#include "caseScales.H"
 #include "fvMesh.H"
 #include "Time.H"
 
@@ -43,14 +44,6 @@ Foam::scalar processCpuTime()
 } // End anonymous namespace
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::scalar Foam::melt::runRecord::cpuTime() const
-{
-    return returnReduce(processCpuTime() - startCpu_, sumOp<scalar>());
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::melt::runRecord::runRecord
@@ -73,11 +66,19 @@ Foam::melt::runRecord::runRecord
 {
     if (writeToFile_)
     {
+        const caseScales scales(scene);
+
         file()
             << "# method " << method.type()
             << "; resolution " << scene.resolution()
             << "; threads " << omp_get_max_threads()
-            << "; ranks " << Pstream::nProcs() << ';' << nl
+            << "; ranks " << Pstream::nProcs()
+            << "; class " << scales.caseClass
+            << "; extent " << scales.extent
+            << "; meltVolume " << scales.meltVolume
+            << "; domainVolume " << scales.domainVolume
+            << "; duration " << scales.duration
+            << "; leastSteps " << scales.leastSteps << ';' << nl
             << "# time[s]" << tab << "steps[-]" << tab << "particles[-]"
             << tab << "particleSteps[-]" << tab << "wallTime[s]"
             << tab << "cpuTime[s]" << tab << "peakMemory[MB]";
@@ -93,6 +94,18 @@ Foam::melt::runRecord::runRecord
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::melt::runRecord::cpuTime() const
+{
+    return returnReduce(processCpuTime() - startCpu_, sumOp<scalar>());
+}
+
+
+Foam::label Foam::melt::runRecord::steps() const
+{
+    return fileObr_.time().timeIndex() - startIndex_;
+}
+
 
 void Foam::melt::runRecord::write()
 {
@@ -124,7 +137,7 @@ void Foam::melt::runRecord::print() const
     const scalar cpu = cpuTime();
     const scalar memory = returnReduce(peakMemory(), sumOp<scalar>());
 
-    Info<< "Cost: " << fileObr_.time().timeIndex() - startIndex_ << " steps";
+    Info<< "Cost: " << steps() << " steps";
 
     for (const auto& count : method_.operationCounts())
     {

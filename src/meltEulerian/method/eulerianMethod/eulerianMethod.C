@@ -54,17 +54,7 @@ Foam::melt::eulerianMethod::eulerianMethod
 )
 :
     meltMethod(mesh, scene),
-    dict_
-    (
-        IOobject
-        (
-            "eulerianSolution",
-            mesh.time().system(),
-            mesh,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE
-        )
-    ),
+    dict_(scene.numerics("eulerianSolution", IOobject::READ_IF_PRESENT)),
     region_(scene),
     flow_
     (
@@ -115,7 +105,12 @@ Foam::melt::eulerianMethod::eulerianMethod
         )
     ),
     solid_(dict_.subOrEmptyDict("solid")),
-    buoyancy_(dict_.subOrEmptyDict("buoyancy"))
+    buoyancy_
+    (
+        scene.effects()("buoyancy")
+      ? dict_.subOrEmptyDict("buoyancy")
+      : dictionary()
+    )
 {
     supported(scene.dict());
 

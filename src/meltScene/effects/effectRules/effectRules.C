@@ -6,7 +6,9 @@
 
 #include "effectRules.H"
 #include "fvMesh.H"
+#include "heatSources.H"
 #include "meltScene.H"
+#include "physicoChemicalConstants.H"
 #include "shape.H"
 
 #include <cmath>
@@ -65,6 +67,37 @@ label nSources(const meltScene& scene)
 }
 
 
+//- Sources that can take heat away: warm or cold surroundings
+label nLossy(const meltScene& scene)
+{
+    label n = 0;
+    for (const entry& e : scene.dict().subOrEmptyDict("heatSources"))
+    {
+        n += melt::heatSources::exchangesHeat(e);
+    }
+    return n;
+}
+
+
+//- Heat transfer at the surface over conduction through the extent
+scalar biot(const meltScene& scene)
+{
+    scalar h = 0;
+    for (const entry& e : scene.dict().subOrEmptyDict("heatSources"))
+    {
+        if (melt::heatSources::exchangesHeat(e))
+        {
+            const dictionary& dict = e.dict();
+            h += dict.lookupOrDefault<scalar>("h", 0)
+               + 4*dict.lookupOrDefault<scalar>("emissivity", 0)
+                *constant::physicoChemical::sigma.value()
+                *pow3(scene.TRange().max());
+        }
+    }
+    return h*extent(scene)/max(scene.thermo().kappaSolid(), VSMALL);
+}
+
+
 verdict artificialViscosity(const meltScene& scene)
 {
     const scalar rate = shearRate(scene);
@@ -77,6 +110,32 @@ verdict artificialViscosity(const meltScene& scene)
             "Re",
             scene.thermo().rho()*rate*sqr(extent(scene))
            /hotViscosity(scene, rate)
+        )
+    };
+}
+
+
+verdict buoyancy(const meltScene& scene)
+{
+    const melt::meltThermo& thermo = scene.thermo();
+    const scalarMinMax T(scene.TRange());
+    const bool differ = T.max() > T.min() || nSources(scene);
+    const bool falls = mag(scene.g()) > 0;
+    const scalar H = extent(scene);
+    return
+    {
+        differ && falls,
+        !falls ? "no gravity"
+      : differ ? "temperatures differ; the method has the expansion"
+      : "one temperature, no source of heat",
+        number
+        (
+            "Ra/(beta K)",
+            mag(scene.g())*pow3(H)
+           *max(T.max() - T.min(), scalar(differ ? 1 : 0))
+           /(hotViscosity(scene, shearRate(scene))/thermo.rho())
+           *thermo.rho()*thermo.enthalpy().CpLiquid
+           /max(thermo.kappaLiquid(), VSMALL)
         )
     };
 }
@@ -159,7 +218,11 @@ verdict phaseChange(const meltScene& scene)
     const melt::enthalpyCurve& curve = scene.thermo().enthalpy();
     const scalarMinMax T(scene.TRange());
     const bool solid = T.max() <= curve.solidus && !nSources(scene);
-    const bool liquid = T.min() >= curve.liquidus && !nSources(scene);
+
+    // At a melting point, without a range, it starts solid
+    const bool liquid =
+        T.min() >= curve.liquidus && T.min() > curve.solidus
+     && !nSources(scene);
     return
     {
         !solid && !liquid,
@@ -173,6 +236,38 @@ verdict phaseChange(const meltScene& scene)
 }
 
 
+verdict rigidSolids(const meltScene& scene)
+{
+    const melt::enthalpyCurve& curve = scene.thermo().enthalpy();
+    const scalarMinMax T(scene.TRange());
+    const bool never =
+        T.min() > curve.liquidus && !nSources(scene)
+     && !scene.dict().found("vents");
+    return
+    {
+        !never,
+        never ? "nothing is solid, nothing can freeze"
+      : "something is, or can become, solid",
+        T.max() > T.min()
+      ? number("theta", (curve.solidus - T.min())/(T.max() - T.min()))
+      : "-"
+    };
+}
+
+
+verdict surfaceHeatLoss(const meltScene& scene)
+{
+    const label n = nLossy(scene);
+    return
+    {
+        n > 0,
+        n ? "the surface exchanges heat with an oven"
+      : "the scene has no surroundings: source of type oven",
+        n ? number("Bi", biot(scene)) : "-"
+    };
+}
+
+
 verdict XSPH(const meltScene&)
 {
     return {true, "keeps particles in order; the method has its coefficient", "-"};
@@ -182,11 +277,14 @@ verdict XSPH(const meltScene&)
 rule rules[] =
 {
     {"artificialViscosity", artificialViscosity},
+    {"buoyancy", buoyancy},
     {"generalisedNewtonian", generalisedNewtonian},
     {"heatConduction", heatConduction},
     {"heatSources", heatSources},
     {"latentHeat", latentHeat},
     {"phaseChange", phaseChange},
+    {"rigidSolids", rigidSolids},
+    {"surfaceHeatLoss", surfaceHeatLoss},
     {"XSPH", XSPH}
 };
 

@@ -6,15 +6,31 @@
 
 #include "heatSources.H"
 #include "effectSwitches.H"
+#include "oven.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::dictionary Foam::melt::heatSources::given() const
 {
-    return
-        effectSwitches::off(dict_.subOrEmptyDict("effects"), "heatSources")
-      ? dictionary()
-      : dict_.subOrEmptyDict("heatSources");
+    const dictionary& effects = dict_.subOrEmptyDict("effects");
+
+    if (effectSwitches::off(effects, "heatSources"))
+    {
+        return dictionary();
+    }
+
+    dictionary sources(dict_.subOrEmptyDict("heatSources"));
+    if (effectSwitches::off(effects, "surfaceHeatLoss"))
+    {
+        for (const word& name : sources.toc())
+        {
+            if (exchangesHeat(*sources.findEntry(name)))
+            {
+                sources.remove(name);
+            }
+        }
+    }
+    return sources;
 }
 
 
@@ -44,6 +60,15 @@ Foam::melt::heatSources::heatSources(const dictionary& meltProperties)
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::melt::heatSources::exchangesHeat(const entry& source)
+{
+    return
+        source.isDict()
+     && source.dict().lookupOrDefault<word>("type", word::null)
+     == oven::typeName;
+}
+
 
 bool Foam::melt::heatSources::update()
 {

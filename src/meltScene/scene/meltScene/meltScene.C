@@ -170,7 +170,8 @@ void Foam::melt::meltScene::applyEffects()
 Foam::melt::meltScene::meltScene
 (
     const fvMesh& mesh,
-    const scalar givenResolution
+    const scalar givenResolution,
+    const word& preset
 )
 :
     mesh_(mesh),
@@ -206,7 +207,8 @@ Foam::melt::meltScene::meltScene
         rheologyModel::New(dict_.subDict("material").subDict("rheology"))
     ),
     walls_(mesh),
-    resolution_(0)
+    resolution_(0),
+    preset_(preset)
 {
     const dictionary& shapesDict = dict_.subDict("shapes");
     const wordList names(shapesDict.toc());
@@ -253,6 +255,23 @@ Foam::melt::meltScene::~meltScene()
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::IOobject Foam::melt::meltScene::numerics
+(
+    const word& name,
+    IOobject::readOption option
+) const
+{
+    return IOobject
+    (
+        preset_.empty() ? name : word(name + "." + preset_),
+        mesh_.time().system(),
+        mesh_,
+        preset_.empty() ? option : IOobject::MUST_READ,
+        IOobject::NO_WRITE
+    );
+}
+
 
 Foam::scalar Foam::melt::meltScene::pointVolume(const label i) const
 {

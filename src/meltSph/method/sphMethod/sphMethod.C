@@ -290,17 +290,7 @@ void Foam::melt::sphMethod::removeEscaped()
 Foam::melt::sphMethod::sphMethod(fvMesh& mesh, const meltScene& scene)
 :
     meltMethod(mesh, scene),
-    dict_
-    (
-        IOobject
-        (
-            "sphSolution",
-            mesh.time().system(),
-            mesh,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE
-        )
-    ),
+    dict_(scene.numerics("sphSolution", IOobject::MUST_READ)),
     system_
     {
         scene.thermo(),

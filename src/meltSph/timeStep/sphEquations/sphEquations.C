@@ -51,7 +51,7 @@ Foam::melt::sphEquations::sphEquations
         }
     }
 
-    if (dict.found("solids"))
+    if (effects("rigidSolids") && dict.found("solids"))
     {
         solids_ = solidModel::New(dict.subDict("solids"), system_);
         if (solids_.valid() && (system_.pairs.pressure || system_.pairs.stress))

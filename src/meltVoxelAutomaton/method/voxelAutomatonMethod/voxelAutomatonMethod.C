@@ -195,17 +195,7 @@ Foam::melt::voxelAutomatonMethod::voxelAutomatonMethod
 )
 :
     meltMethod(mesh, scene),
-    dict_
-    (
-        IOobject
-        (
-            "voxelAutomatonSolution",
-            mesh.time().system(),
-            mesh,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE
-        )
-    ),
+    dict_(scene.numerics("voxelAutomatonSolution", IOobject::READ_IF_PRESENT)),
     frame_(mesh.bounds(), scene.g(), scene.resolution()),
     walls_(scene, frame_),
     grid_(frame_.n(), frame_.dx(), material(), walls_.open()),
@@ -400,15 +390,18 @@ void Foam::melt::voxelAutomatonMethod::advance(const scalar deltaT)
           ? published_->fall(grid_) : gravity_.fall(grid_, deltaT);
         }
     );
-    times_.run
-    (
-        stageTimes::SOLIDS,
-        [&]
-        {
-            addProfiling(pieces, "looseSolids");
-            loose_.fall(grid_, deltaT);
-        }
-    );
+    if (scene_.effects()("rigidSolids"))
+    {
+        times_.run
+        (
+            stageTimes::SOLIDS,
+            [&]
+            {
+                addProfiling(pieces, "looseSolids");
+                loose_.fall(grid_, deltaT);
+            }
+        );
+    }
     if (vents_.active())
     {
         times_.run

@@ -83,7 +83,11 @@ TEST(EffectSwitches, mayBeForced)
     (
         effects(files, "XSPH off; heatConduction on;").active()
     );
-    EXPECT_EQ(active, wordList({"artificialViscosity", "heatConduction"}));
+    EXPECT_EQ
+    (
+        active,
+        wordList({"artificialViscosity", "heatConduction", "rigidSolids"})
+    );
     EXPECT_TRUE(effects(files, "phaseChange on;")("phaseChange"));
 }
 
@@ -157,6 +161,97 @@ TEST(EffectSwitches, phaseChangeIsOnIfTheSceneCrossesTheMeltingRange)
     const meltScene liquid(files.mesh(), 0.1);
     EXPECT_FALSE(liquid.effects()("phaseChange"));
     EXPECT_EQ(liquid.thermo().kappaSolid(), 3);
+
+    // At its melting point it is solid, and can melt
+    files.set
+    (
+        "constant/meltProperties",
+        "shapes { " + sceneCase::box
+        (
+            "cube", "(0.3 0.3 0)", "(0.7 0.7 0.4)",
+            "{ type uniform; value 330; }"
+        ) + "}" + sceneCase::material("kappa 1; kappaLiquid 3;")
+    );
+    files.setBoundary("T", "\".*\" { type fixedValue; value uniform 340; }");
+    const meltScene melting(files.mesh(), 0.1);
+    EXPECT_TRUE(melting.effects()("phaseChange"));
+    EXPECT_EQ(melting.thermo().kappaLiquid(), 3);
+}
+
+
+TEST(EffectSwitches, rigidSolidsAreOnUnlessAllIsLiquidAndStaysSo)
+{
+    // The melting range ends at 330 K
+    sceneCase files;
+    const auto on = [&](const std::string& T, const std::string& more)
+    {
+        files.set
+        (
+            "constant/meltProperties",
+            "shapes { " + sceneCase::box
+            (
+                "cube", "(0.3 0.3 0)", "(0.7 0.7 0.4)",
+                "{ type uniform; value " + T + "; }"
+            ) + "}" + sceneCase::material() + more
+        );
+        return meltScene(files.mesh(), 0.1).effects()("rigidSolids");
+    };
+
+    EXPECT_TRUE(on("300", ""));
+    EXPECT_TRUE(on("330", ""));
+    EXPECT_FALSE(on("331", ""));
+    EXPECT_FALSE(on("300", "effects { rigidSolids off; }"));
+    EXPECT_TRUE
+    (
+        on("331", "heatSources { air { type oven; temperature 290; h 10; } }")
+    );
+}
+
+
+TEST(EffectSwitches, surfaceHeatLossIsTheExchangeWithAnOven)
+{
+    sceneCase files;
+    const std::string sources =
+        "heatSources { air { type oven; temperature 290; h 10;"
+        " emissivity 0.5; }"
+        " lamp { type pointSource; position (0 0 0.9); power 10; } }";
+
+    const auto made = [&](const std::string& more)
+    {
+        files.setMaterial(sceneCase::material() + sources + more);
+        const meltScene scene(files.mesh(), 0.1);
+        return heatSources(scene.dict()).size();
+    };
+
+    EXPECT_FALSE(effects(files, "")("surfaceHeatLoss"));
+    EXPECT_EQ(made(""), 2);
+    EXPECT_EQ(made("effects { surfaceHeatLoss off; }"), 1);
+    EXPECT_EQ(made("effects { heatSources off; }"), 0);
+
+    files.setMaterial(sceneCase::material() + sources);
+    const meltScene scene(files.mesh(), 0.1);
+    EXPECT_TRUE(scene.effects()("surfaceHeatLoss"));
+
+    OStringStream os;
+    scene.effects().report(os);
+    const scalar h = 10 + 4*0.5*5.670367e-8*pow3(300.0);
+    OStringStream number;
+    number << "Bi = " << h*0.4/scene.thermo().kappaSolid();
+    EXPECT_NE(os.str().find(number.str()), std::string::npos) << os.str();
+}
+
+
+TEST(EffectSwitches, buoyancyNeedsGravityAndTemperaturesThatDiffer)
+{
+    sceneCase files;
+    EXPECT_FALSE(effects(files, "")("buoyancy"));
+
+    files.setBoundary("T", "\".*\" { type fixedValue; value uniform 301; }");
+    EXPECT_TRUE(effects(files, "")("buoyancy"));
+    EXPECT_FALSE(effects(files, "buoyancy off;")("buoyancy"));
+
+    files.set("constant/g", "dimensions [0 1 -2 0 0 0 0]; value (0 0 0);");
+    EXPECT_FALSE(effects(files, "")("buoyancy"));
 }
 
 
