@@ -80,15 +80,16 @@ Foam::melt::caseScales::caseScales(const meltScene& scene)
         const scalar nu = viscosity(scene, std::sqrt(g/extent));
         const bool late = t > max(sqr(extent)/nu, nu/(g*extent));
 
-        caseClass = late ? "spreading" : "viscousFlow";
+        caseClass =
+            !late ? "viscousFlow"
+          : scene.effects()("generalisedNewtonian") ? "viscoplastic"
+          : "spreading";
         duration = t/(late ? nu/(g*extent) : std::sqrt(extent/g));
     }
     else if (scene.effects()("heatConduction"))
     {
-        const bool melts =
-            scene.effects()("phaseChange") && scene.effects()("latentHeat");
-
-        caseClass = melts ? "phaseChange" : "conduction";
+        caseClass =
+            scene.effects()("phaseChange") ? "phaseChange" : "conduction";
         duration = t*diffusivity(scene)/sqr(extent);
     }
     else

@@ -66,6 +66,7 @@ string thisMachine()
 int main(int argc, char *argv[])
 {
     argList::addNote("Fit the cost model to the points of meltCost");
+    argList::noBanner();
     argList::noParallel();
     argList::noFunctionObjects();
     argList::addArgument("directory");
