@@ -208,11 +208,10 @@ void Foam::melt::enthalpyEquation::setT
     scalarField& T = T_.primitiveFieldRef();
     forAll(T, celli)
     {
-        if (alpha[celli] > leastMelt)
-        {
-            T[celli] = thermo_.enthalpy().T(alphaH[celli]/alpha[celli]);
-            known[celli] = 1;
-        }
+        known[celli] = alpha[celli] > leastMelt;
+        T[celli] =
+            known[celli]
+          ? thermo_.enthalpy().T(alphaH[celli]/alpha[celli]) : 0;
     }
 
     // As far as cells that are drawn reach

@@ -5,35 +5,15 @@
 \*---------------------------------------------------------------------------*/
 
 #include "domainBoundary.H"
-#include "ListListOps.H"
+#include "ofAllRanks.H"
 #include "volFields.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using namespace Foam;
-
-//- The lists of all ranks one after the other
-template<class List>
-List ofAllRanks(const List& own)
-{
-    Foam::List<List> all(Pstream::nProcs());
-    all[Pstream::myProcNo()] = own;
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
-    return ListListOps::combine<List>(all, accessOp<List>());
-}
-
-} // End anonymous namespace
-
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::melt::domainBoundary::domainBoundary(const meltScene& scene)
 :
-    walls_(scene.mesh().boundaryMesh().nNonProcessor() + 1)
+    walls_(scene.mesh().boundaryMesh().nNonProcessor() + 1),
+    pressure_(scene)
 {
     const polyMesh& mesh = scene.mesh();
     walls_.last().velocity = wallCondition::velocityType::open;
@@ -46,6 +26,10 @@ Foam::melt::domainBoundary::domainBoundary(const meltScene& scene)
         const polyPatch& patch = mesh.boundaryMesh()[patchi];
         wallCondition& wall = walls_[patchi];
         wall = scene.walls()[patchi];
+        if (!wall.isWall() && pressure_.closes(patchi))
+        {
+            wall.velocity = wallCondition::velocityType::slip;
+        }
         wall.U = ofAllRanks(wall.U);
         wall.T = ofAllRanks(wall.T);
         wall.h = ofAllRanks(wall.h);

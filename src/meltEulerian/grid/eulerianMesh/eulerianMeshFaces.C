@@ -46,11 +46,7 @@ Foam::point Foam::melt::eulerianMesh::position(const triple& node) const
 }
 
 
-Foam::melt::meshLayout Foam::melt::eulerianMesh::whole
-(
-    List<gridFace>& onGrid,
-    labelList& domainFace
-) const
+Foam::melt::meshLayout Foam::melt::eulerianMesh::whole(List<gridFace>& onGrid)
 {
     const triple& n = grid_->n();
     labelList wholeCell(grid_->nCells(), -1);
@@ -97,8 +93,8 @@ Foam::melt::meshLayout Foam::melt::eulerianMesh::whole
     struct boundaryFace
     {
         face f;
-        label cell, domainFace;
-        gridFace g;
+        label cell;
+        patchFace p;
     };
     List<DynamicList<boundaryFace>> boundary(domain_.nPatches());
 
@@ -129,17 +125,17 @@ Foam::melt::meshLayout Foam::melt::eulerianMesh::whole
                     triple opposite(at);
                     ++opposite[(a + 1) % 3];
                     ++opposite[(a + 2) % 3];
-                    const labelPair onDomain
+                    const point centre
                     (
-                        domain_.nearest(0.5*(position(at) + position(opposite)))
+                        0.5*(position(at) + position(opposite))
                     );
+                    const labelPair onDomain(domain_.nearest(centre));
                     boundary[onDomain.first()].append
                     (
                         {
                             makeFace(a, at, g.sign),
                             celli,
-                            onDomain.second(),
-                            g
+                            {g, onDomain.second(), centre}
                         }
                     );
                 }
@@ -150,17 +146,19 @@ Foam::melt::meshLayout Foam::melt::eulerianMesh::whole
     meshLayout result;
     result.patchStart.setSize(boundary.size());
     result.patchSize.setSize(boundary.size());
-    DynamicList<label> onDomain;
+    patchFaces_.setSize(boundary.size());
     forAll(boundary, patchi)
     {
         result.patchStart[patchi] = faces.size();
         result.patchSize[patchi] = boundary[patchi].size();
-        for (const boundaryFace& b : boundary[patchi])
+        patchFaces_[patchi].setSize(boundary[patchi].size());
+        forAll(boundary[patchi], i)
         {
+            const boundaryFace& b = boundary[patchi][i];
             faces.append(b.f);
             owner.append(b.cell);
-            facesOnGrid.append(b.g);
-            onDomain.append(b.domainFace);
+            facesOnGrid.append(b.p.onGrid);
+            patchFaces_[patchi][i] = b.p;
         }
     }
     result.points.transfer(points);
@@ -168,7 +166,6 @@ Foam::melt::meshLayout Foam::melt::eulerianMesh::whole
     result.owner.transfer(owner);
     result.neighbour.transfer(neighbour);
     onGrid.transfer(facesOnGrid);
-    domainFace.transfer(onDomain);
     return result;
 }
 
@@ -178,9 +175,8 @@ void Foam::melt::eulerianMesh::makeMesh()
     const fvMesh& domain = scene_.mesh();
     const Time& time = domain.time();
     List<gridFace> onGrid;
-    labelList domainFace;
-    meshLayout layout(whole(onGrid, domainFace));
-    const label firstOfPatches = layout.neighbour.size();
+    meshLayout layout(whole(onGrid));
+    const labelList startInWhole(layout.patchStart);
     if (Pstream::parRun())
     {
         if (Pstream::master())
@@ -215,17 +211,19 @@ void Foam::melt::eulerianMesh::makeMesh()
     domainFace_.setSize(layout.patchSize.size());
     forAll(domainFace_, patchi)
     {
-        domainFace_[patchi].setSize(layout.patchSize[patchi], -1);
+        if (patchi >= patchFaces_.size())
+        {
+            continue;
+        }
+        domainFace_[patchi].setSize(layout.patchSize[patchi]);
         forAll(domainFace_[patchi], i)
         {
             const label facei = layout.patchStart[patchi] + i;
             const label inWhole =
                 layout.faceInWhole.size()
-              ? mag(layout.faceInWhole[facei]) - 1 : facei;
-            if (inWhole >= firstOfPatches)
-            {
-                domainFace_[patchi][i] = domainFace[inWhole - firstOfPatches];
-            }
+              ? layout.faceInWhole[facei] - 1 : facei;
+            domainFace_[patchi][i] =
+                patchFaces_[patchi][inWhole - startInWhole[patchi]].domainFace;
         }
     }
 

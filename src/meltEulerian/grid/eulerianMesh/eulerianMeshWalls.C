@@ -11,41 +11,65 @@
 
 void Foam::melt::eulerianMesh::setWalls()
 {
-    forAll(mesh_->boundaryMesh(), patchi)
+    forAll(patchFaces_, patchi)
     {
-        const polyPatch& patch = mesh_->boundaryMesh()[patchi];
         const wallCondition& w = wall(patchi);
         const auto condition =
-            w.velocity == wallCondition::velocityType::open
-          ? staggeredGrid::condition::open
-          : w.velocity == wallCondition::velocityType::slip
-          ? staggeredGrid::condition::slip : staggeredGrid::condition::noSlip;
-        forAll(patch, i)
+            isA<emptyPolyPatch>(mesh_->boundaryMesh()[patchi])
+         || w.velocity == wallCondition::velocityType::slip
+          ? staggeredGrid::condition::slip
+          : w.velocity == wallCondition::velocityType::open
+          ? staggeredGrid::condition::open : staggeredGrid::condition::noSlip;
+        for (const patchFace& f : patchFaces_[patchi])
         {
-            const gridFace& g = gridFaces_[patch.start() + i];
-            const vector U
-            (
-                w.isWall() ? w.U[domainFace_[patchi][i]] : vector(Zero)
-            );
-            if (mag(U[g.direction]) > SMALL*mag(U))
+            const vector U(w.isWall() ? w.U[f.domainFace] : vector(Zero));
+            if (mag(U[f.onGrid.direction]) > SMALL*mag(U))
             {
                 FatalErrorInFunction
                     << "Wall " << w.name << " moves along its normal: U is "
-                    << U << " m/s at " << patch.faceCentres()[i] << nl
+                    << U << " m/s at " << f.centre << nl
                     << "Accepted by the method eulerian: 0/U along the wall"
                     << exit(FatalError);
             }
             grid_->setWall
             (
-                g.direction,
-                g.face,
-                isA<emptyPolyPatch>(patch)
-              ? staggeredGrid::condition::slip : condition,
+                f.onGrid.direction,
+                f.onGrid.face,
+                condition,
                 {U.x(), U.y(), U.z()}
             );
         }
     }
     grid_->setBlocked(missing());
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::melt::eulerianMesh::addPressure
+(
+    const scalar rho,
+    const vector& g,
+    faceVelocities& acceleration
+) const
+{
+    forAll(patchFaces_, patchi)
+    {
+        if (!domain_.pressure().gives(patchi))
+        {
+            continue;
+        }
+        const scalarField p_rgh(domain_.pressure().p_rgh(patchi));
+        for (const patchFace& f : patchFaces_[patchi])
+        {
+            const scalar p = p_rgh[f.domainFace] + rho*(g & f.centre);
+
+            // On half a cell of melt
+            const label a = f.onGrid.direction;
+            acceleration[a][f.onGrid.face] -=
+                f.onGrid.sign*2*p/(rho*grid_->d()[a]);
+        }
+    }
 }
 
 // ************************************************************************* //

@@ -79,15 +79,20 @@ void Foam::melt::eulerianMethod::flow(const scalar deltaT)
     {
         value = min(max(value, thermo.TMin()), thermo.TMax());
     }
+    faceVelocities acceleration
+    (
+        buoyancy_.acceleration
+        (
+            scene_.g(), interface_.alpha(), energy_.T(), region_
+        )
+    );
+    region_.addPressure(thermo.rho(), scene_.g(), acceleration);
     flowRecord_ = flow_.advance
     (
         region_.onGrid(interface_.alpha()),
         thermo.rho(),
         deltaT,
-        buoyancy_.acceleration
-        (
-            scene_.g(), interface_.alpha(), energy_.T(), region_
-        ),
+        acceleration,
         solid_.sink(fraction(), region_),
         [&]
         (

@@ -196,6 +196,78 @@ TEST(EulerianMethod, startsWithTheMotionOfItsShapes)
 }
 
 
+// 0/p_rgh: a column on an open floor rests on the pressure that is its weight,
+// falls without it, and stands on a floor that is closed
+TEST(EulerianMethod, pressureOfOpenPatches)
+{
+    const auto speed = [](const std::string& floor)
+    {
+        sceneCase files({"wall", "wall", "wall", "wall", "patch", "patch"});
+        files.setBoundary("U", "\".*\" { type slip; }");
+        if (floor.size())
+        {
+            files.set
+            (
+                "0/p_rgh",
+                "dimensions [1 -1 -2 0 0 0 0]; internalField uniform 0;"
+                " boundaryField { zMin { " + floor + " } zMax { type fixedValue;"
+                " value uniform 9810; } \"[xy].*\" { type zeroGradient; } }"
+            );
+        }
+        files.setShapes
+        (
+            sceneCase::box
+            (
+                "column", "(0 0 0)", "(1 1 0.6)",
+                "{ type uniform; value 350; }"
+            )
+        );
+        const meltScene scene(files.mesh(), 0.1);
+        eulerianMethod method(files.mesh(), scene);
+        method.advance(0.01);
+        return method.diagnostics().maxU;
+    };
+    EXPECT_NEAR(speed("type fixedValue; value uniform 5886;"), 0, 1e-8);
+    EXPECT_NEAR(speed("type uniformFixedValue; uniformValue 5886;"), 0, 1e-8);
+    EXPECT_NEAR(speed("type zeroGradient;"), 0, 1e-8);
+    EXPECT_NEAR(speed(""), 0.0981, 1e-3);
+
+    // Half the weight
+    EXPECT_NEAR(speed("type fixedValue; value uniform 2943;"), 0.04905, 5e-4);
+}
+
+
+TEST(EulerianMethod, badPressure)
+{
+    sceneCase files({"wall", "wall", "wall", "wall", "wall", "patch"});
+    const auto refused = [&](const std::string& floor, const std::string& top)
+    {
+        return refusal
+        (
+            files,
+            "0/p_rgh",
+            "dimensions [1 -1 -2 0 0 0 0]; internalField uniform 0;"
+            " boundaryField { zMin { " + floor + " } zMax { " + top
+          + " } \"[xy].*\" { type zeroGradient; } }"
+        );
+    };
+    const std::string zero("type zeroGradient;");
+    EXPECT_NE
+    (
+        refused("type fixedValue; value uniform 0;", zero)
+       .find("on wall zMin is not supported"),
+        std::string::npos
+    );
+    EXPECT_NE
+    (
+        refused(zero, "type fixedGradient; gradient uniform 1;")
+       .find("Accepted: fixedValue"),
+        std::string::npos
+    );
+    EXPECT_EQ(refused(zero, zero), "accepted");
+}
+
+
 TEST(EulerianMethod, badInput)
 {
     const word file("system/eulerianSolution");
