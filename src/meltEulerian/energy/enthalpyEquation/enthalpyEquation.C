@@ -22,6 +22,9 @@ using namespace Foam;
 // Cells with less than that have no temperature of their own [-]
 const scalar leastMelt = 1e-12;
 
+// Rounding of T, relative to the heat that a melt has
+const scalar rounding = 1e-13;
+
 } // End anonymous namespace
 
 
@@ -339,7 +342,7 @@ Foam::melt::enthalpyEquation::record Foam::melt::enthalpyEquation::advance
         const scalarField& dT = change.primitiveField();
         heat -= (walls.slope + sources.slope)*dT;
         addConduction(K, dT, heat);
-        scalar wrong = 0, moved = 0;
+        scalar wrong = 0, moved = 0, stored = 0;
         r.in = r.out = 0;
         forAll(h, celli)
         {
@@ -362,12 +365,17 @@ Foam::melt::enthalpyEquation::record Foam::melt::enthalpyEquation::advance
                     mass[celli]
                    *min(curve.CpSolid, curve.CpLiquid)*mag(T[celli] - TNew);
                 moved += mass[celli]*mag(h[celli] - hStart[celli]);
+                stored += mass[celli]*curve.Cp(h[celli])*mag(T[celli]);
             }
         }
         reduce(wrong, sumOp<scalar>());
         reduce(moved, sumOp<scalar>());
+        reduce(stored, sumOp<scalar>());
         ++r.iterations;
-        r.errors.append(wrong/max(moved, VSMALL));
+        r.errors.append
+        (
+            wrong/max(moved + rounding/tolerance_*stored, VSMALL)
+        );
     }
     while (r.errors.last() > tolerance_ && r.iterations < maxIterations_);
 

@@ -89,6 +89,30 @@ TEST(EulerianMethod, conservesMassAndEnergy)
 }
 
 
+// What has the temperature of its wall exchanges round-off with it: no failure
+TEST(EulerianMethod, thermalEquilibrium)
+{
+    sceneCase files;
+    files.set("constant/g", "dimensions [0 1 -2 0 0 0 0]; value (0 0 0);");
+    files.setBoundary("T", hotFloor);
+    files.setShapes
+    (
+        sceneCase::box
+        (
+            "melt", "(0 0 0)", "(1 1 0.4)",
+            "{ type linear; direction (1 0 0); T1 390; T2 399; }"
+        )
+    );
+    const meltScene scene(files.mesh(), 0.25);
+    eulerianMethod method(files.mesh(), scene);
+    for (label step = 0; step < 100; ++step)
+    {
+        method.advance(1e6);
+    }
+    EXPECT_NEAR(method.diagnostics().maxT, 400, 1e-9);
+}
+
+
 // Convection in a full box: there is no room for what the solver leaves of div U
 TEST(EulerianMethod, fullBoxStaysFull)
 {
