@@ -19,6 +19,14 @@ namespace
 // A brick and one layer around it
 constexpr int side = 10;
 
+enum filling
+{
+    EMPTY_COLUMN,
+    MIXED_COLUMN,
+    FULL_COLUMN
+};
+
+
 struct surroundings
 {
     double T[side*side*side];
@@ -27,6 +35,9 @@ struct surroundings
     double liquid[side*side*side];
 
     double filled[side*side*side];
+
+    //- Of ten voxels on each other
+    filling column[side][side];
 };
 
 
@@ -71,6 +82,66 @@ void gather
             }
         }
     }
+
+    for (int i = 0; i < side*side; ++i)
+    {
+        const double* const f = s.filled + side*i;
+        const double least = *std::min_element(f, f + side);
+        s.column[i/side][i % side] =
+            least >= 1 ? FULL_COLUMN
+          : *std::max_element(f, f + side) > 0 ? MIXED_COLUMN
+          : EMPTY_COLUMN;
+    }
+}
+
+
+//- Add to the area of the links from eight voxels to the other eight what a link
+//  across lacks of it at either end
+void mirror
+(
+    const double* a,
+    const double* b,
+    const int across,
+    const double weight,
+    double* area
+)
+{
+    #pragma omp simd
+    for (int z = 0; z < 8; ++z)
+    {
+        const double both = std::min(a[z], b[z]);
+        area[z] += weight
+           *(
+                std::max(both - a[z + across], 0.0)
+              + std::max(both - b[z + across], 0.0)
+            );
+    }
+}
+
+
+//- The same of a link to a corner, for which one of three voxels is enough
+void mirrorCorner
+(
+    const double* a,
+    const double* b,
+    const std::array<int, 3>& across,
+    const double weight,
+    double* area
+)
+{
+    const auto fullest = [&](const double* v)
+    {
+        return std::max(std::max(v[across[0]], v[across[1]]), v[across[2]]);
+    };
+    for (int z = 0; z < 8; ++z)
+    {
+        const double both = std::min(a[z], b[z]);
+        area[z] += weight
+           *(
+                std::max(both - fullest(a + z), 0.0)
+              + std::max(both - fullest(b + z), 0.0)
+            );
+    }
 }
 
 } // End anonymous namespace
@@ -93,15 +164,41 @@ Foam::melt::voxelConduction::voxelConduction(const int neighbours)
 
     for (int n = 0; n < 27; ++n)
     {
-        const int x = n/9 - 1, y = n/3 % 3 - 1, z = n % 3 - 1;
-        const int l2 = x*x + y*y + z*z;
-        if (l2 > 0 && l2 <= farthest)
+        const std::array<int, 3> d{n/9 - 1, n/3 % 3 - 1, n % 3 - 1};
+        const int l2 = d[0]*d[0] + d[1]*d[1] + d[2]*d[2];
+        if (l2 == 0 || l2 > farthest)
         {
-            step_.push_back((x*side + y)*side + z);
-            weight_.push_back(1/(f*l2));
-            sum_ += weight_.back();
+            continue;
         }
+        link l{(d[0]*side + d[1])*side + d[2], 1/(f*l2), {}, {}, 0, 0};
+        sum_ += l.weight;
+        if (l2 < farthest)
+        {
+            l.mirrored = 0.5/(f*(l2 + 1));
+            constexpr int unit[3] = {side*side, side, 1};
+            for (int k = 0; k < 3; ++k)
+            {
+                if (d[k] == 0)
+                {
+                    l.across.push_back(-unit[k]);
+                    l.across.push_back(unit[k]);
+                }
+            }
+        }
+        if (l2 + 1 < farthest)
+        {
+            l.twiceMirrored = 0.5/(f*(l2 + 2));
+            for (int i = 0; i < 4; ++i)
+            {
+                const int a = l.across[i % 2], b = l.across[2 + i/2];
+                l.twiceAcross.push_back({a, b, a + b});
+            }
+        }
+        links_.push_back(l);
     }
+
+    // With 26 neighbours the mirror may give more than a gap takes
+    sum_ = neighbours == 26 ? 4 : sum_;
 }
 
 
@@ -135,22 +232,49 @@ bool Foam::melt::voxelConduction::conductBrick
         for (int y = 0; y < 8; ++y)
         {
             const int row = ((x + 1)*side + y + 1)*side + 1;
-            std::int64_t gained[8] = {};
-            for (std::size_t n = 0; n < step_.size(); ++n)
+            if (s.column[x + 1][y + 1] == EMPTY_COLUMN)
             {
-                const double w = toUnits*weight_[n];
-                const int other = row + step_[n];
+                continue;
+            }
+            bool gaps = false;
+            for (int i = 0; i < 9; ++i)
+            {
+                gaps = gaps || s.column[x + i/3][y + i % 3] != FULL_COLUMN;
+            }
+            std::int64_t gained[8] = {};
+            for (const link& l : links_)
+            {
+                const int other = row + l.step;
+                double area[8];
+                #pragma omp simd
+                for (int z = 0; z < 8; ++z)
+                {
+                    area[z] = l.weight
+                       *std::min(s.filled[row + z], s.filled[other + z]);
+                }
+                if (gaps)
+                {
+                    const double* a = s.filled + row;
+                    const double* b = s.filled + other;
+                    for (const int step : l.across)
+                    {
+                        mirror(a, b, step, l.mirrored, area);
+                    }
+                    for (const std::array<int, 3>& steps : l.twiceAcross)
+                    {
+                        mirrorCorner(a, b, steps, l.twiceMirrored, area);
+                    }
+                }
                 #pragma omp simd
                 for (int z = 0; z < 8; ++z)
                 {
                     // Odd in the two voxels: they round alike
-                    const double filled =
-                        std::min(s.filled[row + z], s.filled[other + z]);
                     const double m = s.liquid[row + z] + s.liquid[other + z];
                     const double kappa = solid + m*(linear + m*square);
                     gained[z] += std::int64_t
                     (
-                        w*kappa*filled*(s.T[other + z] - s.T[row + z])
+                        toUnits*kappa*area[z]
+                       *(s.T[other + z] - s.T[row + z])
                     );
                 }
             }

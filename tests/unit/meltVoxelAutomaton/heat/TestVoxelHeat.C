@@ -91,6 +91,47 @@ TEST(VoxelConduction, symbolOfTheRule)
 }
 
 
+// A wave of temperature along rods and sheets with adiabatic sides decays as in
+// one dimension, also where diagonal neighbours are missing
+TEST(VoxelConduction, sidesAreAMirror)
+{
+    const int n = 16;
+    const double k = M_PI/n, alpha = 0.2/(1000*1000);
+    voxelMaterial material(wax(dx));
+    material.kappaLiquid = material.kappaSolid;
+    for (const int neighbours : {6, 18, 26})
+    {
+        for (const int width : {1, 2, 3})
+        {
+            for (const int height : {1, 4})
+            {
+                voxelGrid grid({n, 5, 6}, dx, material);
+                for (int i = 0; i < n*width*height; ++i)
+                {
+                    const int x = i/(width*height), y = i/height % width;
+                    grid.fill
+                    (
+                        x, y + 1, i % height, 1, 280 + 10*std::cos(k*(x + 0.5))
+                    );
+                }
+                grid.refresh();
+                voxelConduction conduction(neighbours);
+                const double dt = conduction.maxDeltaT(grid);
+                const double before = grid.T(3, 1, 0) - 280;
+                conduction.conduct(grid, dt);
+                EXPECT_NEAR
+                (
+                    (grid.T(3, 1, 0) - 280)/before,
+                    1 + 2*alpha*dt/(dx*dx)*(std::cos(k) - 1),
+                    2e-9
+                )
+                    << neighbours << " neighbours, " << width << " x " << height;
+            }
+        }
+    }
+}
+
+
 TEST(VoxelConduction, keepsEnthalpyAndBounds)
 {
     for (const int neighbours : {6, 18, 26})
