@@ -8,7 +8,6 @@
 #include "addToRunTimeSelectionTable.H"
 #include "checkedEntry.H"
 #include "fvMesh.H"
-#include "profiling.H"
 #include "Time.H"
 #include "voxelFiles.H"
 #include "voxelFill.H"
@@ -129,60 +128,24 @@ Foam::melt::voxelAutomatonMethod::readPublished()
     );
     publishedCoeffs c;
     c.factor = number(dict, "factor", share, 0.8);
-    c.share = number(dict, "share", scalarMinMax(0, 0.25), 0.1);
+    c.share = number(dict, "share", share, 0.1);
     c.beta = number(dict, "beta", share, 0.2);
     c.threshold = number(dict, "threshold", share, 0.1);
     c.initialEnergy = number(dict, "initialEnergy", share, 0.5);
     c.alphaLiquid = number(dict, "alphaLiquid", share, 0.98);
     c.alphaSolid = number(dict, "alphaSolid", share, 0.95);
     c.alphaFloor = number(dict, "alphaFloor", share, 0.9);
+    if (4*c.share > 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Factors summing above 1: with share " << c.share
+            << " the four neighbours of a voxel would get " << 4*c.share
+            << " of its melt." << nl
+            << "Accepted: share >= 0 and <= 0.25" << exit(FatalIOError);
+    }
     c.random = dict.lookupOrDefault<bool>("random", false);
     c.seed = std::uint32_t(dict.lookupOrDefault<label>("seed", 0));
     return autoPtr<publishedRule>(new publishedRule(c));
-}
-
-
-Foam::scalar Foam::melt::voxelAutomatonMethod::conductionLimit() const
-{
-    return conduction_ ? conduction_->maxDeltaT(grid_) : GREAT;
-}
-
-
-Foam::scalar Foam::melt::voxelAutomatonMethod::heatLimit() const
-{
-    return min
-    (
-        heatInterval_*conductionLimit(),
-        heatChange_/max(heating_->fastest, VSMALL)
-    );
-}
-
-
-void Foam::melt::voxelAutomatonMethod::exchangeHeat()
-{
-    heating_->update();
-
-    // What is written is up to date
-    if (heatTime_ < heatLimit() && !mesh_.time().writeTime())
-    {
-        return;
-    }
-    const label n = max(label(std::ceil(heatTime_/conductionLimit())), 1);
-    const scalar dt = heatTime_/n;
-    const scalar start = mesh_.time().value() - heatTime_;
-    for (label i = 0; i < n; ++i)
-    {
-        {
-            addProfiling(sources, "heatSources");
-            heating_->heat(grid_, start + (i + 0.5)*dt, dt);
-        }
-        if (conduction_)
-        {
-            addProfiling(conduction, "heatConduction");
-            conduction_->conduct(grid_, dt);
-        }
-    }
-    heatTime_ = 0;
 }
 
 
@@ -266,6 +229,16 @@ Foam::melt::voxelAutomatonMethod::voxelAutomatonMethod
             << ". Accepted: 6, 18 or 26" << exit(FatalIOError);
     }
 
+    const vector moved(frame_.size() - mesh.bounds().span());
+    Info<< "Grid: " << frame_.n()[0] << " x " << frame_.n()[1] << " x "
+        << frame_.n()[2] << " voxels of " << frame_.dx() << " m";
+    if (cmptMax(cmptMag(moved)) > 1e-3*frame_.dx())
+    {
+        Info<< ", no whole number of voxels: the domain is " << moved
+            << " m longer than its mesh";
+    }
+    Info<< nl << endl;
+
     voxelFill::fillTerrain(scene, frame_, grid_);
 
     // Time 0 always starts from the shapes, which may have changed
@@ -306,137 +279,6 @@ Foam::melt::voxelAutomatonMethod::voxelAutomatonMethod
 
 
 // * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::scalar Foam::melt::voxelAutomatonMethod::maxDeltaT() const
-{
-    if (maxDeltaT_ > 0)
-    {
-        return maxDeltaT_;
-    }
-
-    if (published_)
-    {
-        maxDeltaT_ = stepTime_;
-        limit_ = "stepTime";
-        return maxDeltaT_;
-    }
-
-    maxDeltaT_ = GREAT;
-    limit_ = "none";
-    const auto limit = [&](const scalar deltaT, const word& name)
-    {
-        if (deltaT < maxDeltaT_)
-        {
-            maxDeltaT_ = deltaT;
-            limit_ = name;
-        }
-    };
-
-    times_.run
-    (
-        stageTimes::SPREADING,
-        [&] { limit(lubrication_.prepare(grid_), "lubrication"); }
-    );
-    if
-    (
-        nVoxels(true, false) || !loose_.inFlight().empty() || vents_.active()
-    )
-    {
-        limit(gravity_.maxDeltaT(grid_), "gravity");
-    }
-    else
-    {
-        limit
-        (
-            heating_->fastest < VGREAT
-          ? heatLimit() : heatInterval_*conductionLimit(),
-            "heat"
-        );
-    }
-    return maxDeltaT_;
-}
-
-
-Foam::word Foam::melt::voxelAutomatonMethod::deltaTLimit() const
-{
-    maxDeltaT();
-    return limit_;
-}
-
-
-void Foam::melt::voxelAutomatonMethod::advance(const scalar deltaT)
-{
-    maxDeltaT();
-    particleSteps_ += nVoxels(true, true);
-    ++nSteps_;
-
-    times_.run
-    (
-        stageTimes::SPREADING,
-        [&]
-        {
-            addProfiling(spreading, "spreading");
-            published_
-          ? published_->spread(grid_) : lubrication_.spread(grid_, deltaT);
-        }
-    );
-    times_.run
-    (
-        stageTimes::FALLING,
-        [&]
-        {
-            addProfiling(falling, "falling");
-            published_
-          ? published_->fall(grid_) : gravity_.fall(grid_, deltaT);
-        }
-    );
-    if (scene_.effects()("rigidSolids"))
-    {
-        times_.run
-        (
-            stageTimes::SOLIDS,
-            [&]
-            {
-                addProfiling(pieces, "looseSolids");
-                loose_.fall(grid_, deltaT);
-            }
-        );
-    }
-    if (vents_.active())
-    {
-        times_.run
-        (
-            stageTimes::VENTS,
-            [&] { vents_.flow(grid_, mesh_.time().value(), deltaT); }
-        );
-    }
-    heatTime_ += deltaT;
-    times_.run(stageTimes::HEAT, [&] { exchangeHeat(); });
-
-    maxDeltaT_ = 0;
-}
-
-
-void Foam::melt::voxelAutomatonMethod::write()
-{
-    voxelFiles::write(mesh_, grid_, sums());
-    if (published_)
-    {
-        voxelFiles::writeEnergies(mesh_, published_->energy());
-    }
-    voxelFiles::writeCloud(mesh_, frame_, grid_);
-    updateDensity();
-    voxelFiles::writeDensity(mesh_, frame_, grid_, density_);
-}
-
-
-Foam::label Foam::melt::voxelAutomatonMethod::updateDensity()
-{
-    label n = 0;
-    times_.run(stageTimes::DENSITY, [&] { n = density_.update(grid_); });
-    return n;
-}
-
 
 Foam::label Foam::melt::voxelAutomatonMethod::nParticles() const
 {

@@ -121,4 +121,27 @@ void Foam::melt::voxelAutomatonMethod::setSums(const scalarField& list)
     }
 }
 
+
+// * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::melt::voxelAutomatonMethod::write()
+{
+    voxelFiles::write(mesh_, grid_, sums());
+    if (published_)
+    {
+        voxelFiles::writeEnergies(mesh_, published_->energy());
+    }
+    voxelFiles::writeCloud(mesh_, frame_, grid_);
+    updateDensity();
+    voxelFiles::writeDensity(mesh_, frame_, grid_, density_);
+}
+
+
+Foam::label Foam::melt::voxelAutomatonMethod::updateDensity()
+{
+    label n = 0;
+    times_.run(stageTimes::DENSITY, [&] { n = density_.update(grid_); });
+    return n;
+}
+
 // ************************************************************************* //

@@ -41,12 +41,12 @@ Foam::melt::voxelFrame::voxelFrame
     };
     up_ = g[vertical] > 0 ? -1 : 1;
 
-    // A domain that is a whole number of voxels, but for round-off
-    const scalar tolerance = 1e-6;
+    // The whole number of voxels that is nearest: a resolution that was rounded
+    // down makes no layer beyond the domain
     for (int k = 0; k < 3; ++k)
     {
         const scalar length = domain.span()[axis_[k]];
-        n_[k] = std::max(1, int(std::ceil(length/dx - tolerance)));
+        n_[k] = std::max(1, int(std::lround(length/dx)));
         origin_[axis_[k]] = domain.centre()[axis_[k]] - 0.5*n_[k]*dx;
     }
     origin_[vertical] =
@@ -55,6 +55,17 @@ Foam::melt::voxelFrame::voxelFrame
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::vector Foam::melt::voxelFrame::size() const
+{
+    vector result;
+    for (int k = 0; k < 3; ++k)
+    {
+        result[axis_[k]] = n_[k]*dx_;
+    }
+    return result;
+}
+
 
 Foam::point Foam::melt::voxelFrame::position
 (

@@ -8,6 +8,7 @@
 #include "meltScene.H"
 #include "meltScene/scene/sceneCase.H"
 #include "meltUnitTests.H"
+#include "meltVoxelAutomaton/voxelTestTools.H"
 #include "voxelAutomatonMethod.H"
 
 #include <gtest/gtest.h>
@@ -183,10 +184,10 @@ TEST(VoxelAutomaton, wrongInputIsRefusedAndTheRangeNamed)
         }
     }
     // Four shares of more than the whole
-    EXPECT_NE
-    (
-        solution(published + "share 0.26; }").find(">= 0 and <= 0.25"), string::npos
-    );
+    const string sum(solution(published + "share 0.26; }"));
+    EXPECT_NE(sum.find("Factors summing above 1"), string::npos) << sum;
+    EXPECT_NE(sum.find(">= 0 and <= 0.25"), string::npos) << sum;
+    EXPECT_EQ(solution(published + "share 0.25; }"), "");
     EXPECT_NE(solution("spreading { rule published; }"), "");
     EXPECT_NE
     (
@@ -198,7 +199,9 @@ TEST(VoxelAutomaton, wrongInputIsRefusedAndTheRangeNamed)
         solution("heat { neighbours 8; }").find("6, 18 or 26"), string::npos
     );
     // Beyond the limit of stability
-    EXPECT_NE(solution("heat { interval 1.1; }").find("1"), string::npos);
+    const string gamma(solution("heat { interval 1.1; }"));
+    EXPECT_NE(gamma.find("interval"), string::npos) << gamma;
+    EXPECT_NE(gamma.find("> 0 and <= 1"), string::npos) << gamma;
     EXPECT_NE(solution("heat { interval 0; }"), "");
     EXPECT_NE(solution("heat { change 2; }"), "");
     EXPECT_NE(solution("heat { flowFraction 0; }"), "");
@@ -217,6 +220,123 @@ TEST(VoxelAutomaton, wrongInputIsRefusedAndTheRangeNamed)
     EXPECT_NE(refusal(c).find("in the open"), string::npos);
     setScene(c, sceneCase::box("dust", "(0.01 0.01 0.01)", "(0.011 0.011 0.011)"), "");
     EXPECT_NE(refusal(c).find("thicker"), string::npos);
+
+    // Terrain leaves nothing free
+    setScene
+    (
+        c, box, "terrain { rock { type box; min (0 0 0); max (1 1 0.5); } }"
+    );
+    EXPECT_NE(refusal(c).find("The grid is empty"), string::npos);
+}
+
+
+TEST(VoxelAutomaton, roundedResolutionMakesNoFurtherLayer)
+{
+    const vector g(0, 0, -9.81);
+    const boundBox domain(Zero, vector(1, 1, 2));
+    const voxelFrame frame(domain, g, 0.0333);
+    EXPECT_EQ(frame.n(), (std::array<int, 3>{30, 30, 60}));
+    EXPECT_NEAR(frame.size().z(), 60*0.0333, 1e-12);
+    EXPECT_NEAR(frame.position(0, 0, 0).x(), 0.5 - 15*0.0333, 1e-12);
+    EXPECT_EQ(frame.position(0, 0, 0).z(), 0);
+    EXPECT_EQ(voxelFrame(domain, g, 0.3).n(), (std::array<int, 3>{3, 3, 7}));
+}
+
+
+// A lamp has no temperature that would bound that of the melt: without
+// conduction each kelvin above the material's TMax is paid for
+TEST(VoxelAutomaton, strongLampHeatsBeyondTheScenesTemperatures)
+{
+    sceneCase c;
+    c.set
+    (
+        "constant/meltProperties",
+        "shapes { " + sceneCase::box("slab", "(0 0 0)", "(1 1 0.05)")
+      + " } " + sceneCase::material("kappa 1e-6;")
+      + " effects {} heatSources { lamp { type pointSource;"
+        " position (0.5 0.5 0.9); power 1e7; } }"
+    );
+    const meltScene scene(c.mesh(), 0.05);
+    voxelAutomatonMethod method(c.mesh(), scene);
+    const meltDiagnostics start(method.diagnostics());
+    for (label i = 0; i < 40; ++i)
+    {
+        method.advance(1);
+    }
+    const meltDiagnostics d(method.diagnostics());
+    EXPECT_GT(d.maxT, 400 + 100);
+    EXPECT_GE(d.minT, start.minT);
+    EXPECT_NEAR
+    (
+        (d.thermalEnergy - start.thermalEnergy)/d.heatIn, 1, 1e-10
+    );
+
+    // In the middle, cos(angle) = 1 to 1/1000, over 4 pi (0.85 m)^2
+    const scalar q = 1e7/(4*M_PI*sqr(0.85));
+    EXPECT_NEAR((d.maxT - start.maxT)/(q*40/(1000*0.05*2000)), 1, 0.01);
+}
+
+
+// Boxes, sources and powers at random: mass to 1e-12, heat in = stored + out to
+// 1e-10, nothing below nothing
+TEST(VoxelAutomaton, randomSourcesKeepMassAndHeat)
+{
+    std::mt19937 engine(3);
+    std::uniform_real_distribution<scalar> random(0, 1);
+    const auto between = [&](const scalar low, const scalar high)
+    {
+        return std::to_string(low + (high - low)*random(engine)) + " ";
+    };
+    const auto corner = [&](const std::string& x, const scalar a, const scalar b)
+    {
+        return "(" + x + between(a, b) + between(a, b) + ")";
+    };
+    sceneCase c;
+    for (int scene = 0; scene < 6; ++scene)
+    {
+        std::string bodies, sources;
+        for (int i = 0; i < 3; ++i)
+        {
+            const std::string name(std::to_string(i));
+            bodies += sceneCase::box
+            (
+                "box" + name,
+                corner(between(0.3*i + 0.05, 0.3*i + 0.1), 0.05, 0.45),
+                corner(between(0.3*i + 0.2, 0.3*i + 0.35), 0.5, 0.8),
+                "{ type uniform; value " + between(290, 350) + "; }"
+            );
+            sources +=
+                "lamp" + name + " { type pointSource; position "
+              + corner(between(0.05, 0.95), 0.85, 0.95)
+              + "; power " + between(0, 1e5) + "; }"
+                " coil" + name + " { type volumetricSource;"
+                " box ((0.2 0.2 0.2) (0.7 0.7 0.7)); powerDensity "
+              + between(0, 1e5) + "; }";
+        }
+        sources +=
+            "air { type oven; temperature " + between(280, 400) + "; h "
+          + between(0, 100) + "; emissivity 0.9; }";
+        setScene(c, bodies, "heatSources { " + sources + " }");
+
+        const meltScene melt(c.mesh(), 0.05);
+        voxelAutomatonMethod method(c.mesh(), melt);
+        const meltDiagnostics start(method.diagnostics());
+        for (label i = 0; i < 100; ++i)
+        {
+            method.advance(method.maxDeltaT());
+        }
+        const meltDiagnostics d(method.diagnostics());
+        EXPECT_NEAR(d.mass/start.mass, 1, 1e-12) << "scene " << scene;
+        EXPECT_NEAR
+        (
+            (d.thermalEnergy - start.thermalEnergy + d.heatOut)/d.heatIn,
+            1,
+            1e-10
+        )
+            << "scene " << scene;
+        EXPECT_GT(d.heatIn, 0);
+        EXPECT_TRUE(::unitTest::withinCapacity(method.grid()));
+    }
 }
 
 // ************************************************************************* //
