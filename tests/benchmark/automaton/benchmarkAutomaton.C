@@ -9,7 +9,9 @@ Application
 Description
     What a step of the voxel automaton costs: stage by stage for the scene of a
     case from its latest time on, or (-pools) for 1 to 100 pools that spread on
-    the floor of one and the same grid.
+    the floor of one and the same grid. With -balance the steps are not
+    measured, but ten times on the way mass and energy are balanced. With
+    -published: how a drop spreads by the published rule.
 
     Times are CPU times, which other programs on the machine disturb least;
     with one thread they are those of the clock on a quiet machine.
@@ -18,7 +20,8 @@ Description
     and filtering each brick with something in it is read and written once.
 
 Usage
-    \b benchmarkAutomaton -case <dir> [-steps <n>] | -pools
+    \b benchmarkAutomaton -case <dir> [-steps <n>] [-balance]
+        | -pools | -published
 
 \*---------------------------------------------------------------------------*/
 
@@ -27,6 +30,7 @@ Usage
 #include "fvMesh.H"
 #include "memoryBandwidth.H"
 #include "meltScene.H"
+#include "publishedSpreading.H"
 #include "sigFpe.H"
 #include "Time.H"
 #include "voxelAutomatonMethod.H"
@@ -50,7 +54,12 @@ double seconds(const std::function<void()>& action)
 }
 
 
-void benchmarkScene(Time& runTime, const label nSteps)
+//- The scene's method at its latest time, given to an action
+void atLatestTime
+(
+    Time& runTime,
+    const std::function<void(voxelAutomatonMethod&)>& action
+)
 {
     const instantList times(runTime.times());
     runTime.setTime(times.last(), times.size() - 1);
@@ -67,6 +76,29 @@ void benchmarkScene(Time& runTime, const label nSteps)
     const meltScene scene(mesh);
     voxelAutomatonMethod method(mesh, scene);
 
+    action(method);
+}
+
+
+void balance(voxelAutomatonMethod& method, const label nSteps)
+{
+    for (label step = 1; step <= nSteps; ++step)
+    {
+        method.advance(method.maxDeltaT());
+        if (step % max(nSteps/10, 1) == 0)
+        {
+            Info<< "step " << step << ": ";
+            method.report(Info.operator OSstream&());
+            const meltDiagnostics d(method.diagnostics());
+            Info<< "     mass " << d.mass << " kg, heat in " << d.heatIn
+                << " J, out " << d.heatOut << " J" << endl;
+        }
+    }
+}
+
+
+void measure(voxelAutomatonMethod& method, Time& runTime, const label nSteps)
+{
     // The first step is not like the others: all is new
     scalar slowest = 0, sum = 0, nFiltered = 0, nVoxels = 0, nBricks = 0;
     stageTimes before;
@@ -254,6 +286,8 @@ int main(int argc, char* argv[])
     argList::noParallel();
     argList::noBanner();
     argList::addOption("steps", "n", "Number of steps (default: 50)");
+    argList::addBoolOption("balance", "Mass and energy instead of times");
+    argList::addBoolOption("published", "A drop by the published rule");
     argList::addBoolOption("pools", "1 to 100 pools instead of a case");
     argList args(argc, argv);
     sigFpe::unset();
@@ -262,10 +296,23 @@ int main(int argc, char* argv[])
     {
         benchmarkPools();
     }
+    else if (args.found("published"))
+    {
+        publishedSpreading();
+    }
     else
     {
         Time runTime(Time::controlDictName, args);
-        benchmarkScene(runTime, args.opt<label>("steps", 50));
+        const label nSteps = args.opt<label>("steps", 50);
+        atLatestTime
+        (
+            runTime,
+            [&](voxelAutomatonMethod& method)
+            {
+                args.found("balance")
+              ? balance(method, nSteps) : measure(method, runTime, nSteps);
+            }
+        );
     }
     return 0;
 }
