@@ -51,7 +51,7 @@ void Foam::melt::runLog::print(const meltDiagnostics& figures)
     }
 
     Info<< nl
-        << "particles: " << method_.nParticles() << ", effects:";
+        << method_.particleName() << ": " << method_.nParticles() << ", effects:";
 
     for (const word& effect : scene_.effects().active())
     {

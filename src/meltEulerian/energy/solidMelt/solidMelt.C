@@ -74,6 +74,76 @@ void Foam::melt::solidMelt::block
 }
 
 
+Foam::label Foam::melt::solidMelt::nLoose
+(
+    const scalarField& alpha,
+    const eulerianMesh& mesh
+) const
+{
+    const staggeredGrid& grid = mesh.grid();
+    const std::vector<double> melt(mesh.onGrid(alpha));
+    const auto solid = [&](const int cell)
+    {
+        return grid.blocked(cell) && mesh.has(cell) && melt[cell] > 0;
+    };
+
+    // Solid cells at walls, then what hangs together with them
+    std::vector<char> held(grid.nCells(), 0);
+    std::vector<int> front;
+    const auto hold = [&](const int cell)
+    {
+        if (!held[cell] && solid(cell))
+        {
+            held[cell] = 1;
+            front.push_back(cell);
+        }
+    };
+    grid.forAllFaces([&](int a, int face, int lower, int upper)
+    {
+        const bool isEnd =
+            lower < 0 || upper < 0 || !mesh.has(lower) || !mesh.has(upper);
+        if
+        (
+            isEnd && grid.solved(a)
+         && grid.at(a, face) != staggeredGrid::condition::open
+        )
+        {
+            for (const int cell : {lower, upper})
+            {
+                if (cell >= 0)
+                {
+                    hold(cell);
+                }
+            }
+        }
+    });
+    while (front.size())
+    {
+        const staggeredGrid::triple at(grid.position(front.back()));
+        front.pop_back();
+        for (int a = 0; a < 3; ++a)
+        {
+            for (const int step : {-1, 1})
+            {
+                staggeredGrid::triple c(at);
+                c[a] += step;
+                if (grid.inside(c))
+                {
+                    hold(grid.cell(c));
+                }
+            }
+        }
+    }
+
+    label n = 0;
+    for (int cell = 0; cell < grid.nCells(); ++cell)
+    {
+        n += solid(cell) && !held[cell];
+    }
+    return n;
+}
+
+
 std::vector<double> Foam::melt::solidMelt::sink
 (
     const scalarField& liquidFraction,

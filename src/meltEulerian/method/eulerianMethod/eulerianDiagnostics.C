@@ -150,6 +150,13 @@ void Foam::melt::eulerianMethod::report(Ostream& os) const
         << "     mass error " << massError << " kg, energy error "
         << energyError << " J, escaped " << rho*interface_.lostVolume()
         << " kg" << nl;
+    const label nLoose = solid_.nLoose(interface_.alpha(), region_);
+    if (nLoose)
+    {
+        os  << "     Warning: " << nLoose << " cells of solid melt hang on no"
+            << " wall and stand still; by solid { type none; } in"
+            << " eulerianSolution they fall" << nl;
+    }
 }
 
 // ************************************************************************* //

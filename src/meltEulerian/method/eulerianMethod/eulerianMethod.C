@@ -107,9 +107,7 @@ Foam::melt::eulerianMethod::eulerianMethod
     solid_(dict_.subOrEmptyDict("solid")),
     buoyancy_
     (
-        scene.effects()("buoyancy")
-      ? dict_.subOrEmptyDict("buoyancy")
-      : dictionary()
+        dict_.subOrEmptyDict("buoyancy"), scene.effects()("buoyancy")
     )
 {
     supported(scene.dict());

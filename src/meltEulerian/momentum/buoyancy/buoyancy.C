@@ -9,7 +9,7 @@
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::melt::buoyancy::buoyancy(const dictionary& dict)
+Foam::melt::buoyancy::buoyancy(const dictionary& dict, const bool active)
 :
     beta_
     (
@@ -27,7 +27,12 @@ Foam::melt::buoyancy::buoyancy(const dictionary& dict)
             dict, "TRef", dimTemperature, checkedEntry::notNegative()
         )
     )
-{}
+{
+    if (!active)
+    {
+        beta_ = 0;
+    }
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

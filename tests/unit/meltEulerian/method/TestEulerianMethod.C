@@ -165,6 +165,16 @@ TEST(EulerianMethod, solidStays)
             method.advance(method.maxDeltaT());
         }
         EXPECT_LT(method.diagnostics().maxU, 1e-6) << solid;
+
+        // The log says that a body would fall
+        OStringStream log;
+        method.report(log);
+        EXPECT_EQ
+        (
+            log.str().find("64 cells of solid melt hang on no wall")
+         != std::string::npos,
+            solid.find("constraint") != std::string::npos
+        ) << log.str();
         EXPECT_NEAR(method.diagnostics().centreOfMass.z(), 0.5, 1e-5) << solid;
     }
 }
