@@ -59,16 +59,16 @@ Foam::melt::costCurve::guess Foam::melt::costCurve::at
     const scalar own = steps_ ? scales.duration*(*steps_)(n) : 0;
     const bool ruled = own < scales.leastSteps;
     const scalar steps = ruled ? scales.leastSteps : own;
-    const scalar stepSpread = ruled ? 1 : steps_->spread();
+    const scalar stepSpread = ruled ? 1 : steps_->spread(n);
 
     return
     {
         dx,
         error_(n),
-        error_.spread(),
+        error_.spread(n),
         steps,
         elements(scales, dx)*steps*cpuTime_(n),
-        exp(sqrt(sqr(log(stepSpread)) + sqr(log(cpuTime_.spread()))))
+        exp(sqrt(sqr(log(stepSpread)) + sqr(log(cpuTime_.spread(n)))))
     };
 }
 

@@ -13,12 +13,18 @@ Foam::melt::costLaw::costLaw
 (
     const scalar factor,
     const scalar exponent,
-    const scalar spread
+    const scalar spread,
+    const scalar points,
+    const scalar centre,
+    const scalar variation
 )
 :
     factor_(factor),
     exponent_(exponent),
-    spread_(spread)
+    spread_(spread),
+    points_(points),
+    centre_(centre),
+    variation_(variation)
 {}
 
 
@@ -35,6 +41,21 @@ Foam::melt::costLaw::costLaw(const dictionary& dict)
     spread_
     (
         checkedEntry::get(dict, "spread", dimless, scalarMinMax(1, GREAT))
+    ),
+    points_
+    (
+        checkedEntry::get(dict, "points", dimless, checkedEntry::positive())
+    ),
+    centre_
+    (
+        checkedEntry::get(dict, "centre", dimless, checkedEntry::positive())
+    ),
+    variation_
+    (
+        checkedEntry::get
+        (
+            dict, "variation", dimless, checkedEntry::notNegative()
+        )
     )
 {}
 
@@ -83,7 +104,23 @@ Foam::melt::costLaw Foam::melt::costLaw::fit
     }
     const label freedom = max(label(1), n - (sloped ? 2 : 1));
 
-    return costLaw(exp(logA), b, exp(2*sqrt(residual/freedom)));
+    return costLaw
+    (
+        exp(logA),
+        b,
+        exp(2*sqrt(residual/freedom)),
+        n,
+        exp(meanX),
+        sloped ? sumXX : 0
+    );
+}
+
+
+Foam::scalar Foam::melt::costLaw::spread(const scalar x) const
+{
+    const scalar away =
+        variation_ > 0 ? sqr(log(x/centre_))/variation_ : 0;
+    return pow(spread_, sqrt(1 + 1/points_ + away));
 }
 
 
@@ -93,6 +130,9 @@ Foam::dictionary Foam::melt::costLaw::dict() const
     dict.add("factor", factor_);
     dict.add("exponent", exponent_);
     dict.add("spread", spread_);
+    dict.add("points", points_);
+    dict.add("centre", centre_);
+    dict.add("variation", variation_);
     return dict;
 }
 

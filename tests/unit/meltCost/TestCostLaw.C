@@ -18,7 +18,7 @@ namespace
 
 const scalarMinMax any(-GREAT, GREAT);
 
-dictionary parse(const char* text)
+dictionary parse(const std::string& text)
 {
     return dictionary(IStringStream(text)());
 }
@@ -38,7 +38,7 @@ TEST(CostLaw, findsTheLawOfPointsOnIt)
     const costLaw law(costLaw::fit(x, y, any));
     EXPECT_NEAR(law.exponent(), -1.7, 1e-12);
     EXPECT_NEAR(law(10), 0.3*std::pow(10.0, -1.7), 1e-14);
-    EXPECT_NEAR(law.spread(), 1, 1e-12);
+    EXPECT_NEAR(law.spread(100), 1, 1e-12);
 }
 
 
@@ -50,7 +50,12 @@ TEST(CostLaw, spreadIsTwoStandardDeviations)
 
     const costLaw law(costLaw::fit(x, y, any));
     EXPECT_NEAR(law.exponent(), 0, 1e-12);
-    EXPECT_NEAR(law.spread(), std::exp(2*std::sqrt(2.0)*std::log(1.1)), 1e-12);
+    
+    // At the mean of the points, and away from it: v = log^2(2)
+    const scalar s2 = 2*std::sqrt(2.0)*std::log(1.1);
+    const scalar c = std::sqrt(2.0);
+    EXPECT_NEAR(law.spread(c), std::exp(s2*std::sqrt(1.25)), 1e-12);
+    EXPECT_NEAR(law.spread(4*c), std::exp(s2*std::sqrt(5.25)), 1e-12);
 }
 
 
@@ -62,7 +67,7 @@ TEST(CostLaw, exponentStaysInItsRange)
     );
     EXPECT_EQ(law.exponent(), 0);
     EXPECT_NEAR(law(100), std::sqrt(2.0), 1e-12);
-    EXPECT_GT(law.spread(), 1.4);
+    EXPECT_GT(law.spread(2), 1.4);
 }
 
 
@@ -79,28 +84,38 @@ TEST(CostLaw, oneResolutionHasNoSlope)
 
 TEST(CostLaw, isTheSameFromItsDictionary)
 {
-    const costLaw law(2.5, -1.25, 1.5);
+    const costLaw law(2.5, -1.25, 1.5, 3, 4, 2);
     const costLaw read(law.dict());
     EXPECT_EQ(read(3), law(3));
-    EXPECT_EQ(read.spread(), law.spread());
+    EXPECT_EQ(read.spread(9), law.spread(9));
 }
 
 
 TEST(CostLaw, refusesBadInput)
 {
+    const std::string rest = "points 1; centre 1; variation 0;";
     EXPECT_THROW
     (
         costLaw::fit(scalarList({1, 0}), scalarList({1, 1}), any), Foam::error
     );
     EXPECT_THROW
     (
-        costLaw(parse("factor 0; exponent 1; spread 1;")), Foam::IOerror
+        costLaw(parse("factor 0; exponent 1; spread 1;" + rest)),
+        Foam::IOerror
     );
     EXPECT_THROW
     (
-        costLaw(parse("factor 1; exponent 1; spread 0.9;")), Foam::IOerror
+        costLaw(parse("factor 1; exponent 1; spread 0.9;" + rest)),
+        Foam::IOerror
     );
-    EXPECT_THROW(costLaw(parse("factor 1; spread 1;")), Foam::IOerror);
+    EXPECT_THROW
+    (
+        costLaw(parse("factor 1; spread 1;" + rest)), Foam::IOerror
+    );
+    EXPECT_THROW
+    (
+        costLaw(parse("factor 1; exponent 1; spread 1;")), Foam::IOerror
+    );
 }
 
 

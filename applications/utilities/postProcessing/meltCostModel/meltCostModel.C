@@ -25,7 +25,7 @@ Usage
         On which the times were measured; default: that of /proc/cpuinfo
 
       - \par -extrapolation \<factor\>
-        How much finer than the finest point the model may be used; default 2
+        How much finer than the finest point the model may be used; default 1.5
 
 \*---------------------------------------------------------------------------*/
 
@@ -101,7 +101,7 @@ int main(int argc, char *argv[])
 
     dictionary model;
     model.add("machine", args.opt<string>("machine", thisMachine()));
-    model.add("extrapolation", args.opt<scalar>("extrapolation", 2));
+    model.add("extrapolation", args.opt<scalar>("extrapolation", 1.5));
     model.add("classes", fit.classes());
 
     OFstream os(args.opt<fileName>("output"));
