@@ -26,11 +26,11 @@ std::string model(const std::string& spread = "1")
         " error { factor 0.1; exponent -1; spread " + spread + ";"
         " points 1e10; centre 4; variation 1e10; }"
         " steps { factor 10; exponent 0;" + exact + "}"
-        " cpuTime { factor 1e-6; exponent 0; spread 1; points 3; centre 4; variation 1; } }"
+        " cpuTime { factor 1e-6; exponent 0;" + exact + "} }"
         " \"floor:rough\" { elements domain; n (2 8);"
         " error { factor 0.05; exponent 0;" + exact + "}"
         " steps { factor 10; exponent 0;" + exact + "}"
-        " cpuTime { factor 1e-7; exponent 0; spread 1; points 3; centre 4; variation 1; } } } } }";
+        " cpuTime { factor 1e-7; exponent 0;" + exact + "} } } } }";
 }
 
 costModel read(const std::string& text)
