@@ -11,12 +11,73 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+double Foam::melt::filmFlows::surfaceBeside
+(
+    const voxelGrid& grid,
+    openSegments& segments,
+    const openSegment& segment,
+    const int x,
+    const int y
+)
+{
+    if (!grid.inside(x, y, segment.z0))
+    {
+        return
+            grid.outsidePhase(x, y, segment.z0) == EMPTY
+          ? segment.base : segment.surface();
+    }
+    const openSegments::slot* s = segments.slotOfColumn(grid, x, y);
+    const int column = (x & 7)*8 + (y & 7);
+    for (int i = s ? s->start[column] : 0; s && i < s->start[column + 1]; ++i)
+    {
+        const openSegment& beside = s->segments[i];
+        if (beside.z0 <= segment.z1 && beside.z1 >= segment.z0)
+        {
+            return beside.surface();
+        }
+    }
+    return segment.surface();
+}
+
+
+void Foam::melt::filmFlows::findSlopes
+(
+    const voxelGrid& grid,
+    openSegments& segments,
+    openSegments::slot& s
+)
+{
+    for (std::uint64_t columns = s.wet; columns; columns &= columns - 1)
+    {
+        const int column = __builtin_ctzll(columns);
+        const int x = 8*s.bx + column/8, y = 8*s.by + column % 8;
+        for (int i = s.start[column]; i < s.start[column + 1]; ++i)
+        {
+            openSegment& a = s.segments[i];
+            const auto surface = [&](const int dx, const int dy)
+            {
+                return surfaceBeside(grid, segments, a, x + dx, y + dy);
+            };
+            if (a.height > 0)
+            {
+                a.slope =
+                {
+                    0.5*(surface(1, 0) - surface(-1, 0)),
+                    0.5*(surface(0, 1) - surface(0, -1))
+                };
+            }
+        }
+    }
+}
+
+
 double Foam::melt::filmFlows::portion
 (
     const voxelGrid& grid,
     const openSegment& donor,
     const double receiverBase,
     const double receiverSurface,
+    const double slopeAcross,
     const int openingTop,
     const double dt
 ) const
@@ -32,10 +93,13 @@ double Foam::melt::filmFlows::portion
     const double thick = std::min(h, thicknessLimit_);
     const double thin = std::clamp(receiverSurface - floor, 0.0, thick);
     const double slope = drop/std::sqrt(1 + drop*drop);
-    const double fluidity =
-        film_.dependsOnStress()
-      ? film_.fluidity(donor.T, weight_*thick*dx*slope)
-      : donor.fluidity;
+    double fluidity = donor.fluidity;
+    if (film_.dependsOnStress())
+    {
+        const double whole = std::hypot(drop, slopeAcross);
+        const double sine = whole/std::sqrt(1 + whole*whole);
+        fluidity = film_.fluidity(donor.T, weight_*thick*dx*sine);
+    }
     const double cube = 0.25*(thick + thin)*(thick*thick + thin*thin);
     const double mobility = weight_*fluidity*dt*dx/3*cube;
 
@@ -65,9 +129,22 @@ void Foam::melt::filmFlows::flowBetween
     openSegment& donor = fromA ? a : b;
     openSegment& receiver = fromA ? b : a;
 
+    // Across the flow; what is dry has no slope of its own
+    const int across = ax == bx ? 0 : 1;
+    const double slopeAcross =
+        receiver.height > 0
+      ? 0.5*(donor.slope[across] + receiver.slope[across])
+      : donor.slope[across];
+
     double height = portion
     (
-        grid, donor, receiver.base, receiver.surface(), openingTop, dt
+        grid,
+        donor,
+        receiver.base,
+        receiver.surface(),
+        slopeAcross,
+        openingTop,
+        dt
     );
     if (!(height > 0))
     {
@@ -109,7 +186,7 @@ void Foam::melt::filmFlows::flowOut
 {
     const double height =
         donor.height > 0
-      ? portion(grid, donor, donor.base, donor.base, donor.z1, dt)
+      ? portion(grid, donor, donor.base, donor.base, 0, donor.z1, dt)
       : 0;
     const auto mass = std::int64_t(height*voxelMaterial::full);
     if (mass > 0)
@@ -196,6 +273,12 @@ void Foam::melt::filmFlows::find
 {
     const int n = int(segments.slots().size());
     flows_.resize(n);
+
+    #pragma omp parallel for schedule(dynamic, 2)
+    for (int sloti = 0; sloti < (film_.dependsOnStress() ? n : 0); ++sloti)
+    {
+        findSlopes(grid, segments, segments.slots()[sloti]);
+    }
 
     #pragma omp parallel for schedule(dynamic, 2)
     for (int sloti = 0; sloti < n; ++sloti)

@@ -219,6 +219,58 @@ TEST(LubricationRule, yieldStressStopsIt)
 }
 
 
+// A heap on a floor: at rest h^2 = 2 b (R - r), so that
+// V = 8/15 pi sqrt(2 b) R^(5/2); round, though it flows along two axes
+TEST(LubricationRule, yieldStressLeavesARoundHeap)
+{
+    const double b = 0.2e-3;
+    const int n = 56, z1 = 10;
+    voxelGrid grid({n, n, z1 + 2}, dx, wax(dx));
+    double V = 0;
+    for (int i = 0; i < n*n*z1; ++i)
+    {
+        const int x = i/(n*z1), y = i/z1 % n;
+        if (std::hypot(x + 0.5 - 0.5*n, y + 0.5 - 0.5*n) < 9)
+        {
+            grid.fill(x, y, i % z1, 1, 350);
+            V += dx*dx*dx;
+        }
+    }
+    grid.refresh();
+    const filmViscosity film
+    (
+        [](double, double) { return 1.0; }, false, 250, 400, 1, 1e5, b*1000*g
+    );
+    lubricationRule lubrication(film, 1000*g, 100, 10);
+    gravityRule gravity(film, g, 0.004);
+    for (int step = 0; step < 4000; ++step)
+    {
+        const double dt = std::min
+        (
+            lubrication.prepare(grid), gravity.maxDeltaT(grid)
+        );
+        lubrication.spread(grid, dt);
+        gravity.fall(grid, dt);
+    }
+    const double R = std::pow(15*V/(8*M_PI*std::sqrt(2*b)), 0.4)/dx;
+    const std::vector<double> h(thickness(grid));
+    const auto reach = [&](const int dx, const int dy)
+    {
+        int steps = 0;
+        for (int i = 0; i < n/2; ++i)
+        {
+            const bool wet = h[(n/2 + i*dx)*n + n/2 + i*dy] > 1e-2;
+            steps = wet ? i + 1 : steps;
+        }
+        return steps*std::hypot(dx, dy);
+    };
+    std::cout << "    front " << reach(1, 0) << " along the axis, "
+        << reach(1, 1) << " diagonally, Bingham heap " << R << '\n';
+    EXPECT_NEAR(reach(1, 0)/R, 1, 0.1);
+    EXPECT_NEAR(reach(1, 1)/R, 1, 0.1);
+}
+
+
 // A film under gravity on a wall carries q = g h^2 tau/(3 eta); the table must
 // give eta_film of a power law: n/(2n + 1) for 1/3
 TEST(FilmViscosity, isThatOfAPowerLawFilm)
