@@ -58,7 +58,9 @@ void spread(const publishedCoeffs& coeffs)
     const enthalpyCurve curve{1000, 1000, 300, 310, 2e5};
     voxelGrid grid
     (
-        {n, n, 16}, 1e-3, voxelMaterial(curve, 1000, 0.2, 0.2, 0.5, 1e-3, 250, 400)
+        {n, n, 16},
+        1e-3,
+        voxelMaterial(curve, 1000, 0.2, 0.2, 0.5, 1e-3, 250, 400)
     );
     for (int x = 0; x < n; ++x)
     {

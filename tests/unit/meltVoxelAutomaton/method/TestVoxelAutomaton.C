@@ -157,7 +157,10 @@ TEST(VoxelAutomaton, coolsToAirAndFloorButNotBeyondThem)
 TEST(VoxelAutomaton, wrongInputIsRefusedAndTheRangeNamed)
 {
     sceneCase c;
-    const std::string box(sceneCase::box("cube", "(0.3 0.3 0)", "(0.7 0.7 0.4)"));
+    const std::string box
+    (
+        sceneCase::box("cube", "(0.3 0.3 0)", "(0.7 0.7 0.4)")
+    );
     setScene(c, box, "");
     const auto solution = [&](const std::string& entries)
     {
@@ -218,7 +221,12 @@ TEST(VoxelAutomaton, wrongInputIsRefusedAndTheRangeNamed)
         " power 100; } }"
     );
     EXPECT_NE(refusal(c).find("in the open"), string::npos);
-    setScene(c, sceneCase::box("dust", "(0.01 0.01 0.01)", "(0.011 0.011 0.011)"), "");
+    setScene
+    (
+        c,
+        sceneCase::box("dust", "(0.01 0.01 0.01)", "(0.011 0.011 0.011)"),
+        ""
+    );
     EXPECT_NE(refusal(c).find("thicker"), string::npos);
 
     // Terrain leaves nothing free
