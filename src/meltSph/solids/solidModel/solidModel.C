@@ -111,7 +111,11 @@ void Foam::melt::solidModel::update()
         near.setSolids(system_.fluid.body);
         nBuilds_ = near.nBuilds();
     }
-    projectVelocities();
+    // Else rigid already: once more would add round-off, and a restart with it
+    if (changed)
+    {
+        projectVelocities();
+    }
 }
 
 

@@ -98,32 +98,23 @@ Foam::word Foam::melt::incompressible::step(const scalar dt)
     equations_.evaluate();
     equations_.startStep();
 
-    // Without a step before, or after a much shorter one: backward Euler
-    const scalar ratio = lastDeltaT_ > 0 ? dt/lastDeltaT_ : GREAT;
-    const scalar gamma = ratio <= 2 ? ratio/(1 + 2*ratio) : 0;
-    const scalar fromBefore = gamma*dt;
-    const scalar now = dt - fromBefore;
+    // The first guess goes on as the step before did
+    guess_ = before_;
+    guess_.add(dt, lastA_);
 
     #pragma omp parallel for simd schedule(static)
     for (int i = 0; i < n; ++i)
     {
-        f.u[i] += fromBefore*lastA_.x[i] + now*f.ax[i];
-        f.v[i] += fromBefore*lastA_.y[i] + now*f.ay[i];
-        f.w[i] += fromBefore*lastA_.z[i] + now*f.az[i];
-        f.rho[i] += fromBefore*lastDRho_[i];
-    }
-    // The first guess goes on as the step before did
-    guess_ = before_;
-    if (gamma > 0)
-    {
-        guess_.add(dt, lastA_);
+        f.u[i] += dt*f.ax[i];
+        f.v[i] += dt*f.ay[i];
+        f.w[i] += dt*f.az[i];
     }
     predicted_.x = f.u;
     predicted_.y = f.v;
     predicted_.z = f.w;
     for (label nSolved = 1; ; ++nSolved)
     {
-        if (!equations_.implicitUpdate(now, guess_))
+        if (!equations_.implicitUpdate(dt, guess_))
         {
             restoreState();
             return "no convergence";
@@ -147,8 +138,7 @@ Foam::word Foam::melt::incompressible::step(const scalar dt)
         f.ax[i] = (f.u[i] - before_.x[i])/dt;
         f.ay[i] = (f.v[i] - before_.y[i])/dt;
         f.az[i] = (f.w[i] - before_.z[i])/dt;
-        f.rho[i] += now*f.dRho[i];
-        f.dRho[i] = (f.rho[i] - rhoBefore_[i])/dt;
+        f.rho[i] += dt*f.dRho[i];
     }
     const word why(fault(dt));
     if (!why.empty())
@@ -158,7 +148,6 @@ Foam::word Foam::melt::incompressible::step(const scalar dt)
     }
 
     move(dt);
-    lastDeltaT_ = dt;
     return word();
 }
 
@@ -170,13 +159,11 @@ void Foam::melt::incompressible::move(const scalar dt)
     const bool heat = !f.dH.empty();
     const bool xsph = !f.du.empty();
 
-    // The mean of the velocities at both ends, from what goes with the
-    // particles when they are sorted anew
     const auto velocity = [&](const int i, double& u, double& v, double& w)
     {
-        u = f.u[i] - 0.5*dt*f.ax[i] + (xsph ? f.du[i] : 0);
-        v = f.v[i] - 0.5*dt*f.ay[i] + (xsph ? f.dv[i] : 0);
-        w = f.w[i] - 0.5*dt*f.az[i] + (xsph ? f.dw[i] : 0);
+        u = f.u[i] + (xsph ? f.du[i] : 0);
+        v = f.v[i] + (xsph ? f.dv[i] : 0);
+        w = f.w[i] + (xsph ? f.dw[i] : 0);
     };
 
     const double fastest = std::sqrt
@@ -247,16 +234,5 @@ void Foam::melt::incompressible::advance(const scalar deltaT)
     advance(deltaT/2);
 }
 
-
-void Foam::melt::incompressible::write(dictionary& dict) const
-{
-    dict.set("lastDeltaT", lastDeltaT_);
-}
-
-
-void Foam::melt::incompressible::read(const dictionary& dict)
-{
-    dict.readIfPresent("lastDeltaT", lastDeltaT_);
-}
 
 // ************************************************************************* //
