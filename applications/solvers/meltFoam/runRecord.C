@@ -64,10 +64,11 @@ Foam::melt::runRecord::runRecord
     startCpu_(processCpuTime()),
     startIndex_(scene.mesh().time().timeIndex())
 {
+    // All ranks sum up, the first one writes
+    const caseScales scales(scene);
+    const auto counts = method.operationCounts();
     if (writeToFile_)
     {
-        const caseScales scales(scene);
-
         file()
             << "# method " << method.type()
             << "; resolution " << scene.resolution()
@@ -83,7 +84,6 @@ Foam::melt::runRecord::runRecord
             << tab << "particleSteps[-]" << tab << "wallTime[s]"
             << tab << "cpuTime[s]" << tab << "peakMemory[MB]";
 
-        const auto counts = method.operationCounts();
         for (label i = 1; i < counts.size(); ++i)
         {
             file() << tab << counts[i].first() << "[-]";

@@ -365,7 +365,9 @@ Foam::melt::enthalpyEquation::record Foam::melt::enthalpyEquation::advance
                     mass[celli]
                    *min(curve.CpSolid, curve.CpLiquid)*mag(T[celli] - TNew);
                 moved += mass[celli]*mag(h[celli] - hStart[celli]);
-                stored += mass[celli]*curve.Cp(h[celli])*mag(T[celli]);
+                stored +=
+                    mass[celli]
+                   *min(curve.CpSolid, curve.CpLiquid)*mag(T[celli]);
             }
         }
         reduce(wrong, sumOp<scalar>());
