@@ -9,36 +9,7 @@
 #include "dimensionSets.H"
 #include "sphSystem.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using Foam::melt::vectorArray;
-
-void timesMass(vectorArray& a, const std::vector<double>& m)
-{
-    for (int i = 0; i < a.size(); ++i)
-    {
-        a.x[i] *= m[i];
-        a.y[i] *= m[i];
-        a.z[i] *= m[i];
-    }
-}
-
-
-void overMass(vectorArray& a, const std::vector<double>& m)
-{
-    for (int i = 0; i < a.size(); ++i)
-    {
-        a.x[i] /= m[i];
-        a.y[i] /= m[i];
-        a.z[i] /= m[i];
-    }
-}
-
-} // End anonymous namespace
-
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::melt::velocitySolver::velocitySolver(const dictionary& dict)
 :
@@ -145,9 +116,9 @@ bool Foam::melt::velocitySolver::solve
     {
         if (solids_)
         {
-            timesMass(v, f.m);
+            v.multiply(f.m);
             solids_->project(v);
-            overMass(v, f.m);
+            v.divide(f.m);
         }
     };
     // Bodies begin with a rigid motion, which projected residuals leave them

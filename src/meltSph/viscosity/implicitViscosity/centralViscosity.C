@@ -143,6 +143,8 @@ public:
 
 //- sum_j c_ij (v_j.x_ij) x_ij over the fluid alone
 class neighbourLaw
+:
+    public noWalls
 {
     const double *eta_, *u_, *v_, *w_, *V_;
     vectorArray* out_;
@@ -190,10 +192,6 @@ public:
         y_ += c*p.dy;
         z_ += c*p.dz;
     }
-
-    template<class Kernel>
-    inline void addWall(const int, const pairGeometry&, const Kernel&)
-    {}
 
     [[gnu::always_inline]] inline void finish(const int i)
     {

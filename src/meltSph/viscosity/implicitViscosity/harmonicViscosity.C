@@ -15,6 +15,8 @@ namespace
 {
 
 class harmonicMeanLaw
+:
+    public noWalls
 {
     const double *V_, *eta_;
     std::vector<double>* mean_;
@@ -58,10 +60,6 @@ public:
         weights_ += w;
         fluidities_ += w/eta_[j];
     }
-
-    template<class Kernel>
-    inline void addWall(const int, const pairGeometry&, const Kernel&)
-    {}
 
     [[gnu::always_inline]] inline void finish(const int i)
     {
