@@ -306,7 +306,8 @@ void Foam::melt::velocitySolver::report(Ostream& os) const
     }
 
     std::size_t bytes =
-        solver_.bytes() + product_.bytes() + coarse_.bytes() + v_.bytes() + start_.bytes() + r_.bytes()
+        solver_.bytes() + product_.bytes() + coarse_.bytes()
+      + v_.bytes() + start_.bytes() + r_.bytes()
       + 6*sizeof(double)*inverse_[0].capacity();
     for (const implicitOperator* o : operators_)
     {

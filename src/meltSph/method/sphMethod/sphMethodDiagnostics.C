@@ -52,7 +52,6 @@ void Foam::melt::sphMethod::readSums()
     sums_.readIfPresent("initialPotentialEnergy", initialPotentialEnergy_);
     sums_.readIfPresent("escapedMass", escapedMass_);
     sums_.readIfPresent("initialCentre", initialCentre_);
-    scheme_->read(sums_);
 }
 
 
@@ -70,7 +69,6 @@ void Foam::melt::sphMethod::writeSums()
     sums_.set("initialPotentialEnergy", initialPotentialEnergy_);
     sums_.set("escapedMass", escapedMass_);
     sums_.set("initialCentre", initialCentre_);
-    scheme_->write(sums_);
     sums_.instance() = mesh_.time().timeName();
 
     sums_.regIOobject::writeObject

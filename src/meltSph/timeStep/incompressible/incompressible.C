@@ -71,7 +71,6 @@ void Foam::melt::incompressible::keepState()
     lastA_.y = f.ay;
     lastA_.z = f.az;
     rhoBefore_ = f.rho;
-    lastDRho_ = f.dRho;
 }
 
 
@@ -85,7 +84,6 @@ void Foam::melt::incompressible::restoreState()
     f.ay = lastA_.y;
     f.az = lastA_.z;
     f.rho = rhoBefore_;
-    f.dRho = lastDRho_;
 }
 
 
