@@ -124,20 +124,13 @@ void Foam::melt::solidBody::setVelocities
 }
 
 
-void Foam::melt::solidBody::move
-(
-    particles& f,
-    const scalar deltaT,
-    const bool byEnd
-)
+void Foam::melt::solidBody::move(particles& f, const scalar deltaT)
 {
-    const vector mean(byEnd ? L : vector(0.5*(L0 + L)));
-
     // Spin half way: the inertia turns with the body
-    const tensor half(rotation(0.5*deltaT*(inverseInertia & mean)));
-    const vector spin(rotated(half, inverseInertia) & mean);
+    const tensor half(rotation(0.5*deltaT*omega()));
+    const vector spin(rotated(half, inverseInertia) & L);
     const tensor R(rotation(deltaT*spin));
-    const vector way(deltaT*(byEnd ? U : vector(0.5*(U0 + U))));
+    const vector way(deltaT*U);
 
     for (const int i : members)
     {

@@ -112,8 +112,7 @@ void Foam::melt::solidContact::push
 (
     std::vector<solidBody>& bodies,
     const std::vector<int>& bodyOf,
-    const scalar deltaT,
-    std::vector<char>& touched
+    const scalar deltaT
 )
 {
     findPlaces(bodies, bodyOf);
@@ -179,18 +178,6 @@ void Foam::melt::solidContact::push
             }
             push(bodies, p, friction - p.friction);
             p.friction = friction;
-        }
-    }
-
-    for (const place& p : places_)
-    {
-        if (p.impulse > 0)
-        {
-            touched[p.first] = true;
-            if (p.second >= 0)
-            {
-                touched[p.second] = true;
-            }
         }
     }
 }

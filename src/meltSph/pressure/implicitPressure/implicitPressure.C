@@ -103,6 +103,9 @@ void Foam::melt::implicitPressure::prepare()
     {
         f.p[i] = c*c*(f.rho[i] - rho0);
     }
+
+    // For the density of the velocities that lead here
+    operator_.update(0);
 }
 
 
@@ -147,6 +150,29 @@ void Foam::melt::implicitPressure::limit(timeStepControl& control) const
     if (!(rate <= 0))
     {
         control.limit("density", 1/rate);
+    }
+
+    // Where the melt presses, how its particles lie is stiff too, and that is
+    // explicit; viscosity damps it
+    const double h = system_.near.kernel().h();
+    const double c2 = sqr(system_.soundSpeed);
+    const double rho0 = system_.thermo.rho();
+    const std::vector<double>& eta = f.eta;
+    const auto* const solid =
+        system_.solid.empty() ? nullptr : system_.solid.data();
+    const double stiffness = parallelMax
+    (
+        f.size(),
+        [&](const int i)
+        {
+            const double p = solid && solid[i] ? 0 : std::max(c2*(f.rho[i] - rho0), 0.0);
+            const double pressing = std::sqrt(p/f.rho[i])/h;
+            return eta.empty() ? pressing : std::min(pressing, p/eta[i]);
+        }
+    );
+    if (!(stiffness <= 0))
+    {
+        control.limit("pressure", 1/stiffness);
     }
 }
 

@@ -110,6 +110,19 @@ void Foam::melt::pressureOperator::update(const double deltaT)
         }
     }
     setWallGradient();
+
+    // That of the density at the step's end, in terms of the mean velocity
+    const double theta = system_.implicitness;
+    if (theta < 1)
+    {
+        const double before = (1 - theta)/sqr(theta)*deltaT*c2;
+        #pragma omp parallel for simd schedule(static)
+        for (int i = 0; i < n; ++i)
+        {
+            p0_[i] -= stiffness_[i] > 0 ? before*f.dRho[i] : 0;
+            stiffness_[i] /= sqr(theta);
+        }
+    }
 }
 
 

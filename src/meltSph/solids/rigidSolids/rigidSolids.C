@@ -109,13 +109,9 @@ bool Foam::melt::rigidSolids::fixed(const solidBody& body) const
 }
 
 
-void Foam::melt::rigidSolids::touch
-(
-    const scalar deltaT,
-    std::vector<char>& touched
-)
+void Foam::melt::rigidSolids::touch(const scalar deltaT)
 {
-    contact_.push(bodies_, bodyOf_, deltaT, touched);
+    contact_.push(bodies_, bodyOf_, deltaT);
 }
 
 // ************************************************************************* //

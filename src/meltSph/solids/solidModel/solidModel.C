@@ -119,48 +119,35 @@ void Foam::melt::solidModel::update()
 }
 
 
-void Foam::melt::solidModel::startStep()
+void Foam::melt::solidModel::collide(const scalar deltaT)
 {
-    // Particles may have been sorted since
-    setBodies();
-
-    const particles& f = system_.fluid;
-    start_.x = f.x;
-    start_.y = f.y;
-    start_.z = f.z;
+    particles& f = system_.fluid;
     for (solidBody& body : bodies_)
     {
         body.setMotion(f, f.u, f.v, f.w);
-        body.U0 = body.U;
-        body.L0 = body.L;
+    }
+    touch(deltaT);
+    for (const solidBody& body : bodies_)
+    {
+        body.setVelocities(f, f.u, f.v, f.w);
     }
 }
 
 
 void Foam::melt::solidModel::move(const scalar deltaT)
 {
-    particles& f = system_.fluid;
-    std::vector<char> touched(bodies_.size(), false);
+    // Particles may have been sorted since the last time
+    setBodies();
 
-    // Positions of the start, from which the velocities' momenta are taken
-    for (std::size_t k = 0; k < bodies_.size(); ++k)
+    particles& f = system_.fluid;
+    for (solidBody& body : bodies_)
     {
-        for (const int i : bodies_[k].members)
+        if (!body.fixed)
         {
-            f.x[i] = start_.x[i];
-            f.y[i] = start_.y[i];
-            f.z[i] = start_.z[i];
+            body.setMotion(f, f.u, f.v, f.w);
+            body.move(f, deltaT);
+            body.setVelocities(f, f.u, f.v, f.w);
         }
-        bodies_[k].setMotion(f, f.u, f.v, f.w);
-    }
-    touch(deltaT, touched);
-    for (std::size_t k = 0; k < bodies_.size(); ++k)
-    {
-        if (!bodies_[k].fixed)
-        {
-            bodies_[k].move(f, deltaT, touched[k]);
-        }
-        bodies_[k].setVelocities(f, f.u, f.v, f.w);
     }
 }
 

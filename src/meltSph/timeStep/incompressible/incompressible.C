@@ -7,6 +7,8 @@
 #include "incompressible.H"
 #include "addToRunTimeSelectionTable.H"
 #include "blockSum.H"
+#include "checkedEntry.H"
+#include "dimensionSets.H"
 #include "wallContact.H"
 
 namespace Foam
@@ -34,6 +36,17 @@ Foam::melt::incompressible::incompressible
             << "The scheme incompressible takes pressure { type"
             << " implicitPressure; ... } and viscosity { type"
             << " implicitViscosity; ... }"
+            << exit(FatalIOError);
+    }
+    system_.implicitness = checkedEntry::getOrDefault
+    (
+        dict, "implicitness", dimless, scalarMinMax(0.5, 1), 0.6
+    );
+    if (effects("XSPH") && dict.found("XSPH"))
+    {
+        FatalIOErrorInFunction(dict.subDict("XSPH"))
+            << "The scheme incompressible moves particles by their velocities"
+            << " alone: XSPH goes with the schemes leapFrog and semiImplicit"
             << exit(FatalIOError);
     }
 }
@@ -87,32 +100,49 @@ void Foam::melt::incompressible::restoreState()
 }
 
 
-Foam::word Foam::melt::incompressible::step(const scalar dt)
+void Foam::melt::incompressible::changeDensity(const scalar dt)
+{
+    particles& f = system_.fluid;
+    const int n = f.size();
+
+    equations_.setDensityRate();
+    #pragma omp parallel for simd schedule(static)
+    for (int i = 0; i < n; ++i)
+    {
+        f.rho[i] += dt*f.dRho[i];
+    }
+}
+
+
+Foam::word Foam::melt::incompressible::kick(const scalar dt)
 {
     particles& f = system_.fluid;
     const int n = f.size();
 
     keepState();
     equations_.evaluate();
-    equations_.startStep();
+    changeDensity(dt/2);
 
-    // The first guess goes on as the step before did
+    // Solved for the mean velocity, over the implicit share of the step. The
+    // first guess goes on as the step before did
+    const double theta = system_.implicitness;
+    const double share = theta*dt;
     guess_ = before_;
-    guess_.add(dt, lastA_);
+    guess_.add(share, lastA_);
 
     #pragma omp parallel for simd schedule(static)
     for (int i = 0; i < n; ++i)
     {
-        f.u[i] += dt*f.ax[i];
-        f.v[i] += dt*f.ay[i];
-        f.w[i] += dt*f.az[i];
+        f.u[i] += share*f.ax[i];
+        f.v[i] += share*f.ay[i];
+        f.w[i] += share*f.az[i];
     }
     predicted_.x = f.u;
     predicted_.y = f.v;
     predicted_.z = f.w;
     for (label nSolved = 1; ; ++nSolved)
     {
-        if (!equations_.implicitUpdate(dt, guess_))
+        if (!equations_.implicitUpdate(share, guess_))
         {
             restoreState();
             return "no convergence";
@@ -129,15 +159,17 @@ Foam::word Foam::melt::incompressible::step(const scalar dt)
         f.w = predicted_.z;
     }
 
-    equations_.setDensityRate();
     #pragma omp parallel for simd schedule(static)
     for (int i = 0; i < n; ++i)
     {
-        f.ax[i] = (f.u[i] - before_.x[i])/dt;
-        f.ay[i] = (f.v[i] - before_.y[i])/dt;
-        f.az[i] = (f.w[i] - before_.z[i])/dt;
-        f.rho[i] += dt*f.dRho[i];
+        f.ax[i] = (f.u[i] - before_.x[i])/share;
+        f.ay[i] = (f.v[i] - before_.y[i])/share;
+        f.az[i] = (f.w[i] - before_.z[i])/share;
+        f.u[i] = before_.x[i] + dt*f.ax[i];
+        f.v[i] = before_.y[i] + dt*f.ay[i];
+        f.w[i] = before_.z[i] + dt*f.az[i];
     }
+    changeDensity(dt/2);
     const word why(fault(dt));
     if (!why.empty())
     {
@@ -145,24 +177,16 @@ Foam::word Foam::melt::incompressible::step(const scalar dt)
         return why;
     }
 
-    move(dt);
+    equations_.collideSolids(dt);
     return word();
 }
 
 
-void Foam::melt::incompressible::move(const scalar dt)
+void Foam::melt::incompressible::drift(const scalar dt)
 {
     particles& f = system_.fluid;
     const int n = f.size();
-    const bool heat = !f.dH.empty();
-    const bool xsph = !f.du.empty();
-
-    const auto velocity = [&](const int i, double& u, double& v, double& w)
-    {
-        u = f.u[i] + (xsph ? f.du[i] : 0);
-        v = f.v[i] + (xsph ? f.dv[i] : 0);
-        w = f.w[i] + (xsph ? f.dw[i] : 0);
-    };
+    const bool solids = !f.body.empty();
 
     const double fastest = std::sqrt
     (
@@ -171,43 +195,61 @@ void Foam::melt::incompressible::move(const scalar dt)
             n,
             [&](const int i)
             {
-                double u, v, w;
-                velocity(i, u, v, w);
-                return u*u + v*v + w*w;
+                return f.u[i]*f.u[i] + f.v[i]*f.v[i] + f.w[i]*f.w[i];
             }
         )
     );
 
-    // No further than a spacing at a time: nothing passes a wall unseen. Solids
-    // move over the whole step
-    const int pieces =
-        equations_.solids()
-      ? 1
-      : max(1, int(std::ceil(dt*fastest/system_.spacing)));
+    // No further than a spacing at a time: nothing passes a wall unseen
+    const double way = mag(dt)*fastest;
+    const int pieces = max(1, int(std::ceil(way/system_.spacing)));
     const double part = dt/pieces;
     for (int piece = 0; piece < pieces; ++piece)
     {
         #pragma omp parallel for schedule(static)
         for (int i = 0; i < n; ++i)
         {
-            double u, v, w;
-            velocity(i, u, v, w);
-            f.x[i] += part*u;
-            f.y[i] += part*v;
-            f.z[i] += part*w;
-            if (heat)
+            if (!solids || f.body[i] < 0)
             {
-                f.h[i] += part*f.dH[i];
+                f.x[i] += part*f.u[i];
+                f.y[i] += part*f.v[i];
+                f.z[i] += part*f.w[i];
             }
         }
-
-        equations_.moveSolids(dt);
+        equations_.moveSolids(part);
         wallContacts_ += keepInFrontOfWalls(system_.near, system_.walls, f);
-        updateNeighbours(part*fastest);
+        updateNeighbours(way/pieces);
     }
+}
 
+
+void Foam::melt::incompressible::heat(const scalar dt)
+{
+    particles& f = system_.fluid;
+    const int n = int(f.dH.size());
+
+    #pragma omp parallel for simd schedule(static)
+    for (int i = 0; i < n; ++i)
+    {
+        f.h[i] += dt*f.dH[i];
+    }
     system_.heatReceived += dt*system_.heatFromWalls;
     equations_.advanceHeat(dt);
+}
+
+
+Foam::word Foam::melt::incompressible::step(const scalar dt)
+{
+    drift(dt/2);
+    const word why(kick(dt));
+    if (!why.empty())
+    {
+        drift(-dt/2);
+        return why;
+    }
+    heat(dt);
+    drift(dt/2);
+    return word();
 }
 
 

@@ -26,7 +26,14 @@ Foam::melt::semiImplicit::semiImplicit
 )
 :
     sphScheme(dict, effects, system)
-{}
+{
+    if (equations_.solids())
+    {
+        FatalIOErrorInFunction(dict.subDict("solids"))
+            << "Solids that are not viscous go with the scheme incompressible"
+            << exit(FatalIOError);
+    }
+}
 
 
 bool Foam::melt::semiImplicit::step(const scalar dt)
@@ -36,7 +43,6 @@ bool Foam::melt::semiImplicit::step(const scalar dt)
     const bool heat = !f.dH.empty();
     const bool xsph = !f.du.empty();
 
-    equations_.startStep();
     before_.x = f.u;
     before_.y = f.v;
     before_.z = f.w;
@@ -79,7 +85,6 @@ bool Foam::melt::semiImplicit::step(const scalar dt)
 
     system_.heatReceived += dt*system_.heatFromWalls;
 
-    equations_.moveSolids(dt);
     wallContacts_ += keepInFrontOfWalls(system_.near, system_.walls, f);
     updateNeighbours(std::sqrt(longest2));
     equations_.advanceHeat(dt);

@@ -59,7 +59,7 @@ Foam::melt::sphEquations::sphEquations
             FatalIOErrorInFunction(dict.subDict("solids"))
                 << "Solids of type " << solids_->type() << " take the forces"
                 << " of liquid by the implicit terms alone: they need the"
-                << " scheme incompressible or semiImplicit, pressure { type"
+                << " scheme incompressible, pressure { type"
                 << " implicitPressure; } and viscosity { type"
                 << " implicitViscosity; }; the explicit terms go with solids"
                 << " of type viscous" << exit(FatalIOError);

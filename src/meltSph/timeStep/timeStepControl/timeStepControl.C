@@ -47,6 +47,7 @@ Foam::melt::timeStepControl::timeStepControl(const dictionary& dict)
     };
     insert("advective", 0.4);
     insert("density", 0.05);
+    insert("pressure", 0.6);
     reset();
 }
 

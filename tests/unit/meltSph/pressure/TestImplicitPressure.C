@@ -127,6 +127,40 @@ TEST(PressureOperator, workIsPressureTimesDivergence)
 }
 
 
+// In terms of the mean w = (1 - theta) u + theta u' the pressure is still that
+// of u', at the end of the step
+TEST(PressureOperator, weightedVelocitiesGiveThePressureOfTheEnd)
+{
+    particleCloud cloud(lump(4));
+    cloud.addWall(1, false);
+    cloud.build();
+    const double deltaT = 1e-3, theta = 0.6;
+    const vectorArray before(randomVelocity(cloud)), end(randomVelocity(cloud));
+    vectorArray mean(end);
+    mean.multiply(std::vector<double>(end.size(), theta));
+    mean.add(1 - theta, before);
+
+    operatorCase whole(cloud, deltaT);
+    const vectorArray force(whole.force(end, 1));
+
+    operatorCase weighted(cloud, deltaT);
+    particles& f = weighted.scheme.system.fluid;
+    f.u = before.x;
+    f.v = before.y;
+    f.w = before.z;
+    weighted.pressure.divergence(f.dRho);
+    for (int i = 0; i < f.size(); ++i)
+    {
+        f.dRho[i] *= -f.rho[i];
+    }
+    weighted.scheme.system.implicitness = theta;
+    weighted.pressure.update(theta*deltaT);
+    vectorArray difference(weighted.force(mean, 1));
+    difference.add(-1, force);
+    EXPECT_LT(norm(difference), 1e-12*norm(force));
+}
+
+
 TEST(PressureOperator, keepsBothMomenta)
 {
     particleCloud cloud(lump(5));
@@ -285,6 +319,31 @@ TEST(ImplicitPressure, longStepsAreStable)
             ASSERT_LT(energy(), start) << deltaT << ' ' << step;
         }
     }
+}
+
+
+// Where melt presses, and its viscosity does not damp
+TEST(ImplicitPressure, pressureLimitsTheStep)
+{
+    schemeCase scheme(lump(9), implicitMelt + "speedOfSound 20; }");
+    sphSystem& s = scheme.system;
+    particles& f = s.fluid;
+    const double rho0 = s.thermo.rho(), h = s.near.kernel().h();
+    std::fill(f.rho.begin(), f.rho.end(), 0.999*rho0);
+    std::fill(f.ax.begin(), f.ax.end(), 0);
+    f.ay = f.az = f.dRho = f.u = f.v = f.w = f.ax;
+    EXPECT_NE(scheme.scheme->limits().ruling(), "pressure");
+
+    f.rho[5] = 1.01*rho0;
+    f.eta.assign(f.size(), 1e-6);
+    const double p = 400*0.01*rho0;
+    EXPECT_EQ(scheme.scheme->limits().ruling(), "pressure");
+    EXPECT_NEAR
+    (
+        scheme.scheme->limits().deltaT(), 0.6*h/std::sqrt(p/f.rho[5]), 1e-12
+    );
+    f.eta.assign(f.size(), 1e3);
+    EXPECT_NEAR(scheme.scheme->limits().deltaT(), 0.6*1e3/p, 1e-12);
 }
 
 

@@ -24,7 +24,6 @@ struct contactCase
     solidCase scene;
     std::vector<solidBody> bodies{2};
     std::vector<int> bodyOf;
-    std::vector<char> touched{0, 0};
 
     explicit contactCase(const particleCloud& cloud)
     :
@@ -46,7 +45,7 @@ struct contactCase
     {
         solidContact(scene.system, friction, sweeps).push
         (
-            bodies, bodyOf, deltaT, touched
+            bodies, bodyOf, deltaT
         );
     }
 
@@ -112,7 +111,7 @@ TEST(SolidContact, keepsMomentaAndGainsNoEnergyWhateverTheMotion)
         EXPECT_LT(mag(test.linear() - linear), 1e-13*size);
         EXPECT_LT(mag(test.angular() - angular), 1e-14*size);
         EXPECT_LE(test.energy(), energy*(1 + 1e-12)) << seed;
-        nTouched += test.touched[0];
+        nTouched += test.energy() < energy;
     }
     EXPECT_GT(nTouched, 10);
 }
@@ -139,7 +138,6 @@ TEST(SolidContact, headOnIsPlastic)
         EXPECT_LT(mag(body.U - vector(0.25, 0, 0)), 1e-6);
         EXPECT_LT(mag(body.omega()), 1e-4);
     }
-    EXPECT_TRUE(test.touched[0] && test.touched[1]);
 }
 
 
@@ -150,7 +148,6 @@ TEST(SolidContact, thoseThatPartAreNotTouched)
     test.bodies[1].U = vector(10, 0, 0);
     test.push(0.5, 100, 1e-3);
     EXPECT_EQ(test.bodies[0].U, vector(-10, 0, 0));
-    EXPECT_FALSE(test.touched[0] || test.touched[1]);
 }
 
 
