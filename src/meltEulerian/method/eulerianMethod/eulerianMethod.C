@@ -111,6 +111,7 @@ Foam::melt::eulerianMethod::eulerianMethod
     )
 {
     supported(scene.dict());
+    scene.periods().refuse(typeName);
 
     // Time 0 always starts from the shapes, which may have changed
     if

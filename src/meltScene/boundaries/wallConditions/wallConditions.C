@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallConditions.H"
+#include "cyclicPolyPatch.H"
 #include "Function1.H"
 #include "localIOdictionary.H"
 #include "polyMesh.H"
@@ -225,6 +226,10 @@ Foam::melt::wallConditions::wallConditions(const polyMesh& mesh)
         )
         {
             wall.velocity = wallCondition::velocityType::slip;
+        }
+        else if (isA<cyclicPolyPatch>(patch))
+        {
+            wall.velocity = wallCondition::velocityType::cyclic;
         }
     }
 }

@@ -207,6 +207,7 @@ Foam::melt::meltScene::meltScene
         rheologyModel::New(dict_.subDict("material").subDict("rheology"))
     ),
     walls_(mesh),
+    periods_(mesh),
     resolution_(0),
     preset_(preset)
 {

@@ -212,6 +212,7 @@ Foam::melt::voxelAutomatonMethod::voxelAutomatonMethod
         )
     )
 {
+    scene.periods().refuse(typeName);
     if (Pstream::parRun())
     {
         FatalErrorInFunction

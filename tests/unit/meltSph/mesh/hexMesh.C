@@ -93,6 +93,16 @@ Foam::autoPtr<Foam::polyMesh> Foam::melt::unitTest::hexMesh
     }
 
     const wordList names({"xMin", "xMax", "yMin", "yMax", "zMin", "zMax"});
+    PtrList<dictionary> boundary(6);
+    forAll(names, patchi)
+    {
+        boundary.set(patchi, new dictionary());
+        boundary[patchi].add("type", patchTypes[patchi]);
+        if (patchTypes[patchi] == "cyclic")
+        {
+            boundary[patchi].add("neighbourPatch", names[patchi^1]);
+        }
+    }
 
     return autoPtr<polyMesh>::New
     (
@@ -108,10 +118,9 @@ Foam::autoPtr<Foam::polyMesh> Foam::melt::unitTest::hexMesh
         cells,
         patchFaces,
         names,
-        patchTypes,
+        boundary,
         "inner",
-        "wall",
-        wordList()
+        "wall"
     );
 }
 
