@@ -80,7 +80,7 @@ void Foam::melt::velocityProduct::setPairs()
     const double* const solid = system_->near.solid();
 
     reserve();
-    kernel.visit([&](const auto& W)
+    system_->near.visit([&](const auto& W, const auto& images)
     {
         // At the end of the support k = 1/(V V F r^2) would overflow where its
         // product with g g vanishes
@@ -92,6 +92,7 @@ void Foam::melt::velocityProduct::setPairs()
 
         system_->near.fluid().forEach(active, [&](const int i, const auto& row)
         {
+            const auto space = images;
             const double xi = x[i], yi = y[i], zi = z[i];
             const double Vi = V[i], etai = eta[i];
             quad* const pairs = &pairs_[start_[i]];
@@ -102,7 +103,8 @@ void Foam::melt::velocityProduct::setPairs()
             for (int k = 0; k < row.size(); ++k)
             {
                 const int j = row[k];
-                const double dx = xi - x[j], dy = yi - y[j], dz = zi - z[j];
+                double dx = xi - x[j], dy = yi - y[j], dz = zi - z[j];
+                space.nearestImage(dx, dy, dz);
                 const double r2 = dx*dx + dy*dy + dz*dz;
                 const double F = W.gradientOverR(r2);
                 const double c =

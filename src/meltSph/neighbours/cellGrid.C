@@ -16,27 +16,59 @@ int Foam::melt::cellGrid::coordinate
     const int axis
 ) const
 {
-    return int(std::floor((position - origin_[axis])*inverseCell_));
+    const int c =
+        int(std::floor((position - origin_[axis])*inverseCell_[axis]));
+    return periodic_[axis] ? (c%n_[axis] + n_[axis])%n_[axis] : c;
+}
+
+
+int Foam::melt::cellGrid::spansAround
+(
+    const int coordinate,
+    const int axis,
+    std::array<range, 2>& spans
+) const
+{
+    const int last = n_[axis] - 1;
+    spans[0] = {std::max(coordinate - 1, 0), std::min(coordinate + 1, last)};
+    if (!periodic_[axis])
+    {
+        return spans[0].begin <= spans[0].end;
+    }
+    if (n_[axis] <= 3)
+    {
+        spans[0] = {0, last};
+        return 1;
+    }
+    spans[1] = coordinate == 0 ? range{last, last} : range{0, 0};
+    return coordinate == 0 || coordinate == last ? 2 : 1;
 }
 
 
 void Foam::melt::cellGrid::sort
 (
     const double* x, const double* y, const double* z, const int n,
-    const double cellSize, std::vector<int>& order
+    const double cellSize, std::vector<int>& order,
+    const periodicBox& box
 )
 {
     const std::array<const double*, 3> position{x, y, z};
     std::array<double, 3> high;
 
-    inverseCell_ = 1/cellSize;
     double nCells = 1;
     for (int a = 0; a < 3; ++a)
     {
         origin_[a] = n ? *std::min_element(position[a], position[a] + n) : 0;
         high[a] = n ? *std::max_element(position[a], position[a] + n) : 0;
-        const double cells =
-            std::floor((high[a] - origin_[a])*inverseCell_) + 1;
+        inverseCell_[a] = 1/cellSize;
+        double cells = std::floor((high[a] - origin_[a])*inverseCell_[a]) + 1;
+        periodic_[a] = box.period(a) > 0;
+        if (periodic_[a])
+        {
+            origin_[a] = box.lowest(a);
+            cells = std::max(1.0, std::floor(box.period(a)/cellSize));
+            inverseCell_[a] = cells/box.period(a);
+        }
         nCells *= cells;
         if (!(nCells < 2e9))
         {
@@ -103,36 +135,50 @@ void Foam::melt::cellGrid::sort
 int Foam::melt::cellGrid::neighbourRuns
 (
     const double x, const double y, const double z,
-    std::array<range, 9>& runs
+    runs& found
 ) const
 {
     const std::array<double, 3> position{x, y, z};
-    std::array<int, 3> low, high;
+    std::array<std::array<range, 2>, 3> spans;
+    std::array<int, 3> nSpans;
     for (int k = 0; k < 3; ++k)
     {
         const int a = axis_[k];
-        const int c = coordinate(position[a], a);
-        low[k] = std::max(c - 1, 0);
-        high[k] = std::min(c + 1, n_[a] - 1);
-        if (low[k] > high[k])
-        {
-            return 0;
-        }
+        nSpans[k] = spansAround(coordinate(position[a], a), a, spans[k]);
     }
 
-    int count = 0;
-    for (int slow = low[2]; slow <= high[2]; ++slow)
+    // Of each span along the two slower axes, every cell
+    const auto forCells = [&](const int k, const auto& visit)
     {
-        for (int middle = low[1]; middle <= high[1]; ++middle)
+        for (int s = 0; s < nSpans[k]; ++s)
         {
-            const int row = (slow*n_[axis_[1]] + middle)*n_[axis_[0]];
-            const range run{start_[row + low[0]], start_[row + high[0] + 1]};
-            if (run.begin < run.end)
+            for (int c = spans[k][s].begin; c <= spans[k][s].end; ++c)
             {
-                runs[count++] = run;
+                visit(c);
             }
         }
-    }
+    };
+
+    int count = 0;
+    forCells(2, [&](const int slow)
+    {
+        forCells(1, [&](const int middle)
+        {
+            const int row = (slow*n_[axis_[1]] + middle)*n_[axis_[0]];
+            for (int s = 0; s < nSpans[0]; ++s)
+            {
+                const range& fast = spans[0][s];
+                const range run
+                {
+                    start_[row + fast.begin], start_[row + fast.end + 1]
+                };
+                if (run.begin < run.end)
+                {
+                    found[count++] = run;
+                }
+            }
+        });
+    });
     return count;
 }
 

@@ -8,7 +8,7 @@
 
 #include <limits>
 
-template<class Offset>
+template<class Offset, class Space>
 void Foam::melt::neighbourList::fill
 (
     std::vector<block<Offset>>& blocks,
@@ -16,7 +16,8 @@ void Foam::melt::neighbourList::fill
     const double* const source[3],
     const cellGrid& sources,
     const double radius,
-    const bool self
+    const bool self,
+    const Space& space
 )
 {
     const double radius2 = radius*radius;
@@ -44,7 +45,7 @@ void Foam::melt::neighbourList::fill
             const double z = target[2][i];
             const int base = narrow_ ? i : 0;
 
-            std::array<cellGrid::range, 9> runs;
+            cellGrid::runs runs;
             const int nRuns = sources.neighbourRuns(x, y, z, runs);
 
             std::size_t candidates = 0;
@@ -63,9 +64,10 @@ void Foam::melt::neighbourList::fill
             {
                 for (int j = runs[r].begin; j < runs[r].end; ++j)
                 {
-                    const double dx = x - xs[j];
-                    const double dy = y - ys[j];
-                    const double dz = z - zs[j];
+                    double dx = x - xs[j];
+                    double dy = y - ys[j];
+                    double dz = z - zs[j];
+                    space.nearestImage(dx, dy, dz);
                     out[count] = Offset(j - base);
                     count +=
                         (dx*dx + dy*dy + dz*dz < radius2)
@@ -84,21 +86,28 @@ void Foam::melt::neighbourList::fill
 void Foam::melt::neighbourList::buildSelf
 (
     const double* x, const double* y, const double* z, const int n,
-    const cellGrid& grid, const double radius
+    const cellGrid& grid, const double radius,
+    const periodicBox& box
 )
 {
     clear();
     nTargets_ = n;
-    narrow_ = grid.reach() <= std::numeric_limits<std::int16_t>::max();
+    narrow_ =
+        !box.any()
+     && grid.reach() <= std::numeric_limits<std::int16_t>::max();
 
     const double* const points[3] = {x, y, z};
-    if (narrow_)
+    if (box.any())
     {
-        fill(narrowBlocks_, points, points, grid, radius, true);
+        fill(wideBlocks_, points, points, grid, radius, true, box);
+    }
+    else if (narrow_)
+    {
+        fill(narrowBlocks_, points, points, grid, radius, true, openSpace());
     }
     else
     {
-        fill(wideBlocks_, points, points, grid, radius, true);
+        fill(wideBlocks_, points, points, grid, radius, true, openSpace());
     }
 }
 
@@ -107,7 +116,8 @@ void Foam::melt::neighbourList::build
 (
     const double* x, const double* y, const double* z, const int n,
     const double* xs, const double* ys, const double* zs,
-    const cellGrid& sources, const double radius
+    const cellGrid& sources, const double radius,
+    const periodicBox& box
 )
 {
     clear();
@@ -115,7 +125,14 @@ void Foam::melt::neighbourList::build
 
     const double* const targets[3] = {x, y, z};
     const double* const points[3] = {xs, ys, zs};
-    fill(wideBlocks_, targets, points, sources, radius, false);
+    if (box.any())
+    {
+        fill(wideBlocks_, targets, points, sources, radius, false, box);
+    }
+    else
+    {
+        fill(wideBlocks_, targets, points, sources, radius, false, openSpace());
+    }
 }
 
 

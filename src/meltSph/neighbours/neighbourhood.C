@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "neighbourhood.H"
+#include "blockSum.H"
 
 void Foam::melt::neighbourhood::setWalls(wallState& walls)
 {
@@ -12,7 +13,7 @@ void Foam::melt::neighbourhood::setWalls(wallState& walls)
     wallGrid_.sort
     (
         walls.x.data(), walls.y.data(), walls.z.data(), int(walls.size()),
-        radius(), order
+        radius(), order, box_
     );
 
     const auto permute = [&](auto& a)
@@ -44,20 +45,47 @@ void Foam::melt::neighbourhood::setWalls(wallState& walls)
 }
 
 
+void Foam::melt::neighbourhood::wrap(particles& fluid)
+{
+    particles::array* const positions[3] = {&fluid.x, &fluid.y, &fluid.z};
+    for (int a = 0; a < 3; ++a)
+    {
+        if (box_.period(a) > 0)
+        {
+            particles::array& x = *positions[a];
+            crossed_[a] += box_.period(a)*blockSum
+            (
+                fluid.size(),
+                [&](const int i)
+                {
+                    return fluid.m[i]*box_.periodsBeyond(x[i], a);
+                }
+            );
+            for (double& coordinate : x)
+            {
+                coordinate = box_.inside(coordinate, a);
+            }
+        }
+    }
+}
+
+
 void Foam::melt::neighbourhood::build(particles& fluid, const wallState& walls)
 {
+    wrap(fluid);
+
     std::vector<int> order;
     grid_.sort
     (
         fluid.x.data(), fluid.y.data(), fluid.z.data(), fluid.size(),
-        radius(), order
+        radius(), order, box_
     );
     fluid.permute(order);
 
     fluid_.buildSelf
     (
         fluid.x.data(), fluid.y.data(), fluid.z.data(), fluid.size(),
-        grid_, radius()
+        grid_, radius(), box_
     );
 
     if (walls.size())
@@ -66,13 +94,13 @@ void Foam::melt::neighbourhood::build(particles& fluid, const wallState& walls)
         (
             fluid.x.data(), fluid.y.data(), fluid.z.data(), fluid.size(),
             walls.x.data(), walls.y.data(), walls.z.data(),
-            wallGrid_, radius()
+            wallGrid_, radius(), box_
         );
         fluidOfWalls_.build
         (
             walls.x.data(), walls.y.data(), walls.z.data(), int(walls.size()),
             fluid.x.data(), fluid.y.data(), fluid.z.data(),
-            grid_, radius()
+            grid_, radius(), box_
         );
     }
 

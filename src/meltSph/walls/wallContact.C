@@ -31,9 +31,10 @@ int Foam::melt::keepInFrontOfWalls
         for (int k = 0; k < row.size(); ++k)
         {
             const int j = row[k];
-            const double dx = f.x[i] - walls.x[j];
-            const double dy = f.y[i] - walls.y[j];
-            const double dz = f.z[i] - walls.z[j];
+            double dx = f.x[i] - walls.x[j];
+            double dy = f.y[i] - walls.y[j];
+            double dz = f.z[i] - walls.z[j];
+            near.box().nearestImage(dx, dy, dz);
             const double r2 = dx*dx + dy*dy + dz*dz;
             if (r2 < nearest2)
             {

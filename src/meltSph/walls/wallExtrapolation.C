@@ -18,7 +18,7 @@ void Foam::melt::wallExtrapolation
 {
     near.countPass(near.fluidOfWalls());
 
-    near.kernel().visit([&](const auto& W)
+    near.visit([&](const auto& W, const auto& space)
     {
         const int n = near.fluidOfWalls().empty() ? 0 : int(walls.size());
 
@@ -35,9 +35,10 @@ void Foam::melt::wallExtrapolation
             for (int k = 0; k < row.size(); ++k)
             {
                 const int j = row[k];
-                const double dx = walls.x[i] - f.x[j];
-                const double dy = walls.y[i] - f.y[j];
-                const double dz = walls.z[i] - f.z[j];
+                double dx = walls.x[i] - f.x[j];
+                double dy = walls.y[i] - f.y[j];
+                double dz = walls.z[i] - f.z[j];
+                space.nearestImage(dx, dy, dz);
                 const double c = W.value(dx*dx + dy*dy + dz*dz);
                 weight += c;
                 p += c

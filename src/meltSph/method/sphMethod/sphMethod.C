@@ -12,6 +12,7 @@
 #include "divergence.H"
 #include "fvMesh.H"
 #include "shape.H"
+#include "sphPeriods.H"
 #include "Time.H"
 #include "wallParticleGenerator.H"
 
@@ -269,7 +270,10 @@ void Foam::melt::sphMethod::removeEscaped()
         (
             conditions.begin(),
             conditions.end(),
-            [](const wallCondition& c) { return c.isWall(); }
+            [](const wallCondition& c)
+            {
+                return c.velocity != wallCondition::velocityType::open;
+            }
         );
         if (closed)
         {
@@ -306,7 +310,8 @@ Foam::melt::sphMethod::sphMethod(fvMesh& mesh, const meltScene& scene)
                 "skin",
                 dimless,
                 checkedEntry::positiveUpTo(1)
-            )
+            ),
+            periodsOf(scene)
         ),
         particles(),
         wallState()
@@ -343,6 +348,7 @@ Foam::melt::sphMethod::sphMethod(fvMesh& mesh, const meltScene& scene)
     }
 
     makeWalls();
+    checkPeriods(scene, system_);
     fill();
     scheme_->allocate();
     bindFields();

@@ -24,7 +24,15 @@ Foam::point Foam::melt::sphMethod::centreOfMass() const
         blockSum(n, [&](const int i) { return f.m[i]*f.x[i]; }),
         blockSum(n, [&](const int i) { return f.m[i]*f.y[i]; }),
         blockSum(n, [&](const int i) { return f.m[i]*f.z[i]; })
-    )/max(mass, VSMALL);
+    )/max(mass, VSMALL)
+  + crossed()/max(mass, VSMALL);
+}
+
+
+Foam::vector Foam::melt::sphMethod::crossed() const
+{
+    const std::array<double, 3>& sums = system_.near.crossed();
+    return vector(sums[0], sums[1], sums[2]);
 }
 
 
@@ -40,7 +48,7 @@ Foam::scalar Foam::melt::sphMethod::potentialEnergy() const
         {
             return f.m[i]*(g[0]*f.x[i] + g[1]*f.y[i] + g[2]*f.z[i]);
         }
-    );
+    ) - (scene_.g() & crossed());
 }
 
 
@@ -52,6 +60,10 @@ void Foam::melt::sphMethod::readSums()
     sums_.readIfPresent("initialPotentialEnergy", initialPotentialEnergy_);
     sums_.readIfPresent("escapedMass", escapedMass_);
     sums_.readIfPresent("initialCentre", initialCentre_);
+
+    vector crossed(Zero);
+    sums_.readIfPresent("crossed", crossed);
+    system_.near.crossed() = {crossed.x(), crossed.y(), crossed.z()};
 }
 
 
@@ -69,6 +81,7 @@ void Foam::melt::sphMethod::writeSums()
     sums_.set("initialPotentialEnergy", initialPotentialEnergy_);
     sums_.set("escapedMass", escapedMass_);
     sums_.set("initialCentre", initialCentre_);
+    sums_.set("crossed", crossed());
     sums_.instance() = mesh_.time().timeName();
 
     sums_.regIOobject::writeObject

@@ -30,7 +30,7 @@ void Foam::melt::pressureOperator::setWallGradient()
     const std::array<double, 3>& g = system_.g;
     const double* const solid = system_.near.solid();
 
-    system_.near.kernel().visit([&](const auto& W)
+    system_.near.visit([&](const auto& W, const auto& space)
     {
         #pragma omp parallel for schedule(dynamic, 256)
         for (int i = 0; i < n; ++i)
@@ -45,9 +45,10 @@ void Foam::melt::pressureOperator::setWallGradient()
             for (int k = 0; k < count; ++k)
             {
                 const int j = row[k];
-                const double dx = f.x[i] - walls.x[j];
-                const double dy = f.y[i] - walls.y[j];
-                const double dz = f.z[i] - walls.z[j];
+                double dx = f.x[i] - walls.x[j];
+                double dy = f.y[i] - walls.y[j];
+                double dz = f.z[i] - walls.z[j];
+                space.nearestImage(dx, dy, dz);
                 const double c =
                     2*walls.volume[j]
                    *W.gradientOverR(dx*dx + dy*dy + dz*dz);

@@ -64,6 +64,13 @@ Foam::melt::sphEquations::sphEquations
                 << " implicitViscosity; }; the explicit terms go with solids"
                 << " of type viscous" << exit(FatalIOError);
         }
+        if (solids_.valid() && system_.near.box().any())
+        {
+            FatalIOErrorInFunction(dict.subDict("solids"))
+                << "Solids of type " << solids_->type() << " do not go with"
+                << " cyclic patches." << nl << "Accepted: type viscous, or a"
+                << " domain without" << exit(FatalIOError);
+        }
         solver_.constrain(solids_.get());
     }
 }

@@ -78,7 +78,7 @@ void Foam::melt::adjointViscosity::update(const double deltaT)
         row.resize(movingWalls_ ? n : 0);
     }
 
-    system_.near.kernel().visit([&](const auto& W)
+    system_.near.visit([&](const auto& W, const auto& space)
     {
         #pragma omp parallel for schedule(dynamic, 256)
         for (int i = 0; i < wallGradient_.size(); ++i)
@@ -89,9 +89,10 @@ void Foam::melt::adjointViscosity::update(const double deltaT)
             for (int k = 0; k < row.size(); ++k)
             {
                 const int j = row[k];
-                const double dx = f.x[i] - walls.x[j];
-                const double dy = f.y[i] - walls.y[j];
-                const double dz = f.z[i] - walls.z[j];
+                double dx = f.x[i] - walls.x[j];
+                double dy = f.y[i] - walls.y[j];
+                double dz = f.z[i] - walls.z[j];
+                space.nearestImage(dx, dy, dz);
                 const double c =
                     walls.volume[j]*wallDrag::factor(system_, i, j)
                    *W.gradientOverR(dx*dx + dy*dy + dz*dz);

@@ -32,7 +32,7 @@ std::vector<int> identity(const int n)
 //- All points of the runs around a position
 std::vector<int> candidates(const cellGrid& grid, double x, double y, double z)
 {
-    std::array<cellGrid::range, 9> runs;
+    cellGrid::runs runs;
     const int n = grid.neighbourRuns(x, y, z, runs);
     std::vector<int> found;
     for (int r = 0; r < n; ++r)

@@ -21,7 +21,8 @@ Foam::melt::unitTest::particleCloud::particleCloud
     near
     (
         smoothingKernel(points.kernel, points.h(), points.dimensions()),
-        0.1
+        0.1,
+        points.box()
     )
 {
     const double rho = 1000;
@@ -155,7 +156,8 @@ void Foam::melt::unitTest::particleCloud::addWall
     std::array<int, 3> low, high;
     for (int a = 0; a < 3; ++a)
     {
-        low[a] = a == 2 && lattice_.dimensions() == 2 ? 0 : -layers;
+        const bool alone = a == 2 && lattice_.dimensions() == 2;
+        low[a] = alone || lattice_.periodic[a] ? 0 : -layers;
         high[a] = lattice_.n[a] - low[a];
     }
     low[axis] = 0;
