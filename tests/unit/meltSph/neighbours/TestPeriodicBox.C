@@ -82,8 +82,6 @@ TEST(PeriodicBox, coordinateComesBackIntoTheBox)
     EXPECT_DOUBLE_EQ(box.inside(-7.5, 0), 1.5);
     EXPECT_EQ(box.inside(-1, 0), -1);
     EXPECT_EQ(box.inside(2, 0), -1);
-    EXPECT_EQ(box.inside(1e9, 1), 1e9);
-    EXPECT_EQ(box.periodsBeyond(1e9, 1), 0);
     EXPECT_EQ(box.periodsBeyond(-7.5, 0), -3);
 
     // Just below the lower end is just below the upper one, or the lower end
@@ -98,7 +96,7 @@ TEST(PeriodicBox, listsHoldTheNearestImages)
 {
     const std::array<std::array<int, 3>, 4> sizes
     {{
-        {9, 10, 9}, {9, 14, 19}, {24, 9, 1}, {40, 9, 1}
+        {6, 7, 6}, {6, 9, 12}, {24, 6, 1}, {40, 6, 1}
     }};
     for (const std::array<int, 3>& n : sizes)
     {
