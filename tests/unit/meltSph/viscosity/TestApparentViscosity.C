@@ -129,6 +129,27 @@ TEST(ApparentViscosity, withoutShearRatesIsThatAtRest)
 }
 
 
+// The gain changes the shear rate alone: the stress keeps D as it is
+TEST(ApparentViscosity, shearRatesAreDividedByTheGain)
+{
+    const auto law = rheology(viscoplastic);
+    particleCloud cloud = deformed();
+    particles& f = cloud.fluid;
+    const auto D = f.S;
+    const double gain = 0.8;
+    setViscosityAndStress(*law, f, true, gain);
+
+    for (int i = 0; i < cloud.size(); ++i)
+    {
+        const scalar rate = shearRate(D, i)/gain;
+        scalar eta = 0;
+        law->eta(1, &rate, &f.T[i], &eta);
+        ASSERT_NEAR(f.eta[i]/eta, 1, 1e-12);
+        ASSERT_EQ(f.S[1][i], f.eta[i]*D[1][i]);
+    }
+}
+
+
 TEST(ApparentViscosity, meltAtRestHasNoStress)
 {
     const auto law = rheology(viscoplastic);
