@@ -30,7 +30,8 @@ void Foam::melt::setViscosityAndStress
 (
     const rheologyModel& rheology,
     particles& f,
-    const bool shearRates
+    const bool shearRates,
+    const double gain
 )
 {
     constexpr int blockSize = 1024;
@@ -44,7 +45,7 @@ void Foam::melt::setViscosityAndStress
 
         for (int i = first; shearRates && i < last; ++i)
         {
-            shearRate[i - first] = magnitude(f, i);
+            shearRate[i - first] = magnitude(f, i)/gain;
         }
         rheology.eta(last - first, shearRate, &f.T[first], &f.eta[first]);
         for (particles::array& s : f.S)

@@ -10,6 +10,7 @@
 #include "blockSum.H"
 #include "checkedEntry.H"
 #include "dimensionSets.H"
+#include "latticeMoment.H"
 #include "velocityGradient.H"
 #include "wallExtrapolation.H"
 
@@ -31,6 +32,7 @@ Foam::melt::implicitViscosity::implicitViscosity
 :
     rateTerm(system),
     operator_(viscousOperator::New(dict, system)),
+    gain_(latticeMoment(system.near.kernel(), system.spacing)),
     maxSolves_
     (
         dict.getCheckOrDefault<label>("maxSolves", 1, labelMinMax::ge(1))
@@ -70,7 +72,10 @@ void Foam::melt::implicitViscosity::addRates()
 {
     setViscosityAndStress
     (
-        system_.rheology, system_.fluid, system_.generalisedNewtonian
+        system_.rheology,
+        system_.fluid,
+        system_.generalisedNewtonian,
+        gain_
     );
 }
 
@@ -89,7 +94,7 @@ bool Foam::melt::implicitViscosity::couple(const label nSolved)
     etaSolved_ = f.eta;
     wallExtrapolation(system_.near, f, system_.g, system_.walls);
     velocityGradient(system_.near, system_.walls, f, true);
-    setViscosityAndStress(system_.rheology, f);
+    setViscosityAndStress(system_.rheology, f, true, gain_);
 
     lastChange_ = n ? parallelMax
     (
