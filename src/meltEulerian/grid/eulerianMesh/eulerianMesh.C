@@ -125,6 +125,18 @@ Foam::point Foam::melt::eulerianMesh::faceCentre
 }
 
 
+int Foam::melt::eulerianMesh::cellAt(const point& p) const
+{
+    triple c;
+    for (direction k = 0; k < 3; ++k)
+    {
+        const scalar share = (p[k] - box_.min()[k])/box_.span()[k];
+        c[k] = min(max(int(share*grid_->n()[k]), 0), grid_->n()[k] - 1);
+    }
+    return grid_->cell(c);
+}
+
+
 std::vector<char> Foam::melt::eulerianMesh::missing() const
 {
     std::vector<char> result(grid_->nCells());

@@ -149,7 +149,10 @@ void Foam::melt::eulerianMethod::report(Ostream& os) const
         << "Energy: iterations " << energyRecord_.iterations << nl
         << "     mass error " << massError << " kg, energy error "
         << energyError << " J, escaped " << rho*interface_.lostVolume()
-        << " kg" << nl;
+        << " kg" << nl
+        << "Work of this run: " << nSystems_ << " momentum systems, "
+        << nIterations_ << " iterations; " << nEnergyIterations_
+        << " energy iterations" << nl;
     const label nLoose = solid_.nLoose(interface_.alpha(), region_);
     if (nLoose)
     {

@@ -113,6 +113,8 @@ void Foam::melt::eulerianMethod::flow(const scalar deltaT)
         },
         scene_.effects()("generalisedNewtonian")
     );
+    nSystems_ += flowRecord_.sweeps;
+    nIterations_ += label(flowRecord_.iterations);
     if (!flowRecord_.solved)
     {
         scalarList residuals(flowRecord_.residuals.size());

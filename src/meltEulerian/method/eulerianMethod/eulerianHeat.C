@@ -24,6 +24,7 @@ void Foam::melt::eulerianMethod::exchangeHeat(const scalar deltaT)
         heating_->heat(time, alpha, energy_.T()),
         alphaH_
     );
+    nEnergyIterations_ += energyRecord_.iterations;
     if (!energyRecord_.converged)
     {
         fail

@@ -7,6 +7,7 @@
 #include "eulerianMethod.H"
 #include "addToRunTimeSelectionTable.H"
 #include "checkedEntry.H"
+#include "domainFields.H"
 #include "eulerianFill.H"
 
 namespace Foam
@@ -169,6 +170,11 @@ void Foam::melt::eulerianMethod::write()
           ? p[celli] - rho*(scene_.g() & mesh.C()[celli]) : 0;
     }
     p_rgh_.correctBoundaryConditions();
+
+    const domainFields onDomain(mesh_, region_);
+    onDomain.write("T", energy_.T().primitiveField());
+    onDomain.write("U", interface_.U().primitiveField());
+    onDomain.write("p_rgh", p_rgh_.primitiveField());
     writeState();
 }
 
