@@ -34,7 +34,7 @@ triple cellAt(const eulerianMesh& mesh, const point& p)
 }
 
 
-//- Cells at least half full are in the way
+//- Cells at least half full, and terrain, are in the way
 class shade
 :
     public occlusion
@@ -48,7 +48,12 @@ class shade
     bool fills(const triple& c) const
     {
         const staggeredGrid& grid = mesh_.grid();
-        return grid.inside(c) && alpha_[grid.cell(c)] >= 0.5;
+        return
+            grid.inside(c)
+         && (
+                alpha_[grid.cell(c)] >= 0.5
+             || mesh_.isTerrain(grid.cell(c))
+            );
     }
 
     //- Walks through the cells between the points, J. Amanatides, A. Woo,
@@ -139,10 +144,19 @@ Foam::melt::surfaceElements Foam::melt::surfaceHeat::elements
     const fvMesh& mesh = mesh_.mesh();
     DynamicList<label> cell;
     DynamicList<vector> free;
-    const withOtherRanks alphaOf(mesh, alpha);
+    scalarField terrain(alpha.size());
+    forAll(terrain, celli)
+    {
+        terrain[celli] = mesh_.isTerrain(mesh_.gridCell(celli));
+    }
+    const withOtherRanks alphaOf(mesh, alpha), terrainOf(mesh, terrain);
     mesh_.forAllInner([&](const label facei)
     {
         const label own = mesh.faceOwner()[facei];
+        if (terrain[own] > 0 || terrainOf.beyond(facei) > 0)
+        {
+            return;
+        }
         const scalar difference = alpha[own] - alphaOf.beyond(facei);
         const bool isOwn = difference > 0;
         if (difference != 0 && (isOwn || mesh.isInternalFace(facei)))

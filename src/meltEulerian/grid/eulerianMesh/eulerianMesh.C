@@ -74,6 +74,7 @@ Foam::melt::eulerianMesh::eulerianMesh(const meltScene& scene)
         provide(scene.mesh().time(), "fvSolution");
     }
     makeMesh();
+    findTerrain();
     setWalls();
 }
 
@@ -142,7 +143,7 @@ std::vector<char> Foam::melt::eulerianMesh::missing() const
     std::vector<char> result(grid_->nCells());
     for (int cell = 0; cell < grid_->nCells(); ++cell)
     {
-        result[cell] = cellRank_[cell] < 0;
+        result[cell] = !has(cell);
     }
     return result;
 }

@@ -165,7 +165,9 @@ void Foam::melt::eulerianFill::fill
         setVelocities(body, mesh, share, U);
         forAll(share, celli)
         {
-            const scalar part = min(share[celli], 1 - alpha[celli]);
+            const scalar part =
+                mesh.has(mesh.gridCell(celli))
+              ? min(share[celli], 1 - alpha[celli]) : 0;
             alpha[celli] += part;
             alphaH[celli] += part*curve.h(values[celli]);
         }
@@ -174,7 +176,7 @@ void Foam::melt::eulerianFill::fill
     {
         FatalIOErrorInFunction(shapes)
             << "The mesh is empty: no shape fills a cell of "
-            << scene.resolution() << " m." << nl
+            << scene.resolution() << " m that terrain leaves free." << nl
             << "Accepted: a shape thicker than that" << exit(FatalIOError);
     }
 }

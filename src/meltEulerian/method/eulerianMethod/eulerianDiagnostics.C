@@ -134,10 +134,10 @@ void Foam::melt::eulerianMethod::report(Ostream& os) const
 {
     const scalar rho = scene_.thermo().rho();
     const scalar massError =
-        mass() + rho*interface_.lostVolume() - initialMass_;
+        mass() + rho*(interface_.lostVolume() - vents_.volume()) - initialMass_;
     const scalar energyError =
-        enthalpy() + rho*interface_.lostEnthalpy() - heatIn_ + heatOut_
-      - initialEnthalpy_;
+        enthalpy() + rho*(interface_.lostEnthalpy() - vents_.volumeH())
+      - heatIn_ + heatOut_ - initialEnthalpy_;
     os  << "Momentum: " << flowRecord_.method.c_str() << ", sweeps "
         << flowRecord_.sweeps << ", change of U " << flowRecord_.change
         << ", iterations " << label(flowRecord_.iterations)
@@ -149,7 +149,7 @@ void Foam::melt::eulerianMethod::report(Ostream& os) const
         << "Energy: iterations " << energyRecord_.iterations << nl
         << "     mass error " << massError << " kg, energy error "
         << energyError << " J, escaped " << rho*interface_.lostVolume()
-        << " kg" << nl
+        << " kg, from vents " << rho*vents_.volume() << " kg" << nl
         << "Work of this run: " << nSystems_ << " momentum systems, "
         << nIterations_ << " iterations; " << nEnergyIterations_
         << " energy iterations" << nl;

@@ -19,33 +19,6 @@ namespace melt
 }
 }
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using namespace Foam;
-using namespace Foam::melt;
-
-//- What a scene may have that this method does not compute
-const dictionary& supported(const dictionary& meltProperties)
-{
-    for (const word name : {"terrain", "vents"})
-    {
-        if (meltProperties.subOrEmptyDict(name).size())
-        {
-            FatalIOErrorInFunction(meltProperties.subDict(name))
-                << "The method eulerian has no " << name << '.' << nl
-                << "Accepted: a scene without, or another method"
-                << exit(FatalIOError);
-        }
-    }
-    return meltProperties;
-}
-
-} // End anonymous namespace
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::melt::eulerianMethod::eulerianMethod
@@ -68,6 +41,7 @@ Foam::melt::eulerianMethod::eulerianMethod
     interface_(region_),
     alphaH_(region_.mesh().nCells(), 0),
     energy_(region_, scene.thermo(), dict_.subOrEmptyDict("energy")),
+    vents_(region_, scene.thermo(), scene.g(), scene.dict()),
     p_rgh_
     (
         IOobject
@@ -111,7 +85,6 @@ Foam::melt::eulerianMethod::eulerianMethod
         dict_.subOrEmptyDict("buoyancy"), scene.effects()("buoyancy")
     )
 {
-    supported(scene.dict());
     scene.periods().refuse(typeName);
 
     // Time 0 always starts from the shapes, which may have changed

@@ -57,6 +57,7 @@ void Foam::melt::eulerianMethod::writeState() const
             interface_.lostEnthalpy()
         })
     );
+    append(vents_.state());
 
     IOField<scalar>
     (
@@ -80,7 +81,7 @@ void Foam::melt::eulerianMethod::readState()
     {
         size += region_.grid().nFaces(a);
     }
-    if (list.size() != size || label(list[0]) != nCells)
+    if (list.size() < size || label(list[0]) != nCells)
     {
         FatalErrorInFunction
             << "The state in " << list.objectPath() << " is not that of the"
@@ -122,6 +123,7 @@ void Foam::melt::eulerianMethod::readState()
     heatOut_ = list[i++];
     interface_.lostVolume() = list[i++];
     interface_.lostEnthalpy() = list[i++];
+    vents_.setState(SubList<scalar>(list, list.size() - i, i));
 }
 
 // ************************************************************************* //

@@ -74,6 +74,14 @@ void Foam::melt::eulerianMethod::advance(const scalar deltaT)
         }
         interfaceSteps_ =
             interface_.advance(flow_.U(), part, Courant_, alphaH_);
+        vents_.flow
+        (
+            mesh_.time().value() - remaining_ + part,
+            part,
+            interface_.alpha().primitiveFieldRef(),
+            alphaH_
+        );
+        interface_.alpha().correctBoundaryConditions();
         exchangeHeat(part);
         remaining_ = part < remaining_ ? remaining_ - part : 0;
         lastDeltaT_ = step;

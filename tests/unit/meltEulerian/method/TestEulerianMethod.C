@@ -326,9 +326,80 @@ TEST(EulerianMethod, badInput)
     }
 
     sceneCase files;
-    files.setMaterial(sceneCase::material() + " vents { summit {} }");
+    files.setMaterial
+    (
+        sceneCase::material()
+      + " vents { summit { position (0.5 0.5 2); radius 0.1; rate 1;"
+        " temperature 300; } }"
+    );
     EXPECT_NE
     (
-        refusal(files, file, "").find("no vents"), std::string::npos
+        refusal(files, file, "").find("is not in the domain"),
+        std::string::npos
     );
+}
+
+
+// 5 kg/s of 350 K, h = 1e4 + 3000 (350 - 300) J/kg
+TEST(EulerianMethod, ventsBringMassAndHeat)
+{
+    sceneCase files;
+    files.setMaterial
+    (
+        melting("1")
+      + " vents { summit { position (0.5 0.5 0.2); radius 0.15; rate 5;"
+        " temperature 350; } }"
+    );
+    const meltScene scene(files.mesh(), 0.1);
+    eulerianMethod method(files.mesh(), scene);
+    const meltDiagnostics start(method.diagnostics());
+    scalar time = 0;
+    for (label step = 0; step < 20; ++step)
+    {
+        const scalar deltaT = min(method.maxDeltaT(), 0.05);
+        method.advance(deltaT);
+        time += deltaT;
+    }
+    const meltDiagnostics d(method.diagnostics());
+    EXPECT_GT(time, 0.1);
+    EXPECT_NEAR(d.mass - start.mass, 5*time, 1e-9*start.mass);
+    EXPECT_NEAR
+    (
+        d.thermalEnergy - start.thermalEnergy, 5*time*1.6e5, 1e-6*5*time*1.6e5
+    );
+}
+
+
+// A step that a cube stands on: what of the cube is in it is not there, and
+// nothing comes there
+TEST(EulerianMethod, terrainHasNoMelt)
+{
+    sceneCase files;
+    files.setMaterial
+    (
+        sceneCase::material()
+      + " terrain { step { type box; min (-1 -1 -1); max (0.5 2 0.3); } }"
+    );
+    const meltScene scene(files.mesh(), 0.1);
+    eulerianMethod method(files.mesh(), scene);
+    EXPECT_NEAR(method.diagnostics().mass, 64 - 24, 1e-9);
+    for (label step = 0; step < 30; ++step)
+    {
+        method.advance(min(method.maxDeltaT(), 0.05));
+    }
+    const meltDiagnostics d(method.diagnostics());
+    EXPECT_NEAR(d.mass, 40, 1e-9);
+    EXPECT_GT(d.frontRadius, 0.3);
+
+    const fvMesh& region =
+        files.mesh().time().lookupObject<fvMesh>("eulerian");
+    const auto& alpha = region.lookupObject<volScalarField>("alpha.melt");
+    forAll(alpha, celli)
+    {
+        const point& c = region.C()[celli];
+        if (c.x() < 0.5 && c.z() < 0.3)
+        {
+            ASSERT_EQ(alpha[celli], 0) << c.x() << ' ' << c.y() << ' ' << c.z();
+        }
+    }
 }
