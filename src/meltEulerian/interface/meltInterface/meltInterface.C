@@ -20,6 +20,11 @@ namespace
 using namespace Foam;
 using namespace Foam::melt;
 
+// Cells that are full or empty to this are not nudged, others by so much to
+// twice as much [-]
+const scalar surface = 1e-6, nudge = 1e-12;
+
+
 //- Conditions of the patches: closed for a wall, else what an open one has
 wordList conditions
 (
@@ -92,6 +97,22 @@ void Foam::melt::meltInterface::setVelocities(const faceVelocities& U)
         }
     }
     setCellVelocities(U);
+}
+
+
+Foam::scalarField Foam::melt::meltInterface::nudges() const
+{
+    const scalar golden = 0.5*(sqrt(scalar(5)) - 1);
+    scalarField result(alpha_.size(), 0);
+    forAll(result, celli)
+    {
+        if (alpha_[celli] > surface && alpha_[celli] < 1 - surface)
+        {
+            const scalar number = golden*mesh_.gridCell(celli);
+            result[celli] = nudge*(1 + number - std::floor(number));
+        }
+    }
+    return result;
 }
 
 
@@ -276,7 +297,10 @@ Foam::label Foam::melt::meltInterface::advance
     const quietLog quiet;
     for (label i = 0; i < n; ++i)
     {
+        const scalarField added(nudges());
+        alpha_.primitiveFieldRef() += added;
         advection_.advect();
+        alpha_.primitiveFieldRef() -= added;
         moveEnthalpy(deltaT/n, alphaH);
         bound(alphaH);
     }
