@@ -28,19 +28,21 @@ bool Foam::melt::meltInterface::bounded(const scalar alpha)
 }
 
 
-std::vector<int> Foam::melt::meltInterface::beside
+template<class Action>
+void Foam::melt::meltInterface::forAllBeside
 (
     const int cell,
-    const bool toSolid
+    const bool toSolid,
+    const Action& action
 ) const
 {
     const staggeredGrid& grid = mesh_.grid();
-    std::vector<int> result;
+    const staggeredGrid::triple at(grid.position(cell));
     for (int a = 0; a < 3; ++a)
     {
         for (const int step : {-1, 1})
         {
-            staggeredGrid::triple c(grid.position(cell));
+            staggeredGrid::triple c(at);
             c[a] += step;
             const int other = grid.inside(c) ? grid.cell(c) : -1;
             if
@@ -50,11 +52,10 @@ std::vector<int> Foam::melt::meltInterface::beside
              && (toSolid || !grid.blocked(other))
             )
             {
-                result.push_back(other);
+                action(other);
             }
         }
     }
-    return result;
 }
 
 
@@ -108,20 +109,22 @@ void Foam::melt::meltInterface::distribute
     };
 
     // Rings of neighbours around the cell, nearest first
-    labelHashSet seen(labelList(1, cell));
-    std::vector<int> ring(1, cell);
+    seen_.resize(mesh_.grid().nCells(), 0);
+    seen_[cell] = ++search_;
+    std::vector<int> ring(1, cell), next;
     while (ring.size() && !bounded(alpha[cell]))
     {
-        std::vector<int> next;
+        next.clear();
         for (const int c : ring)
         {
-            for (const int neighbour : beside(c, toSolid))
+            forAllBeside(c, toSolid, [&](const int neighbour)
             {
-                if (seen.insert(neighbour))
+                if (seen_[neighbour] != search_)
                 {
+                    seen_[neighbour] = search_;
                     next.push_back(neighbour);
                 }
-            }
+            });
         }
         std::sort(next.begin(), next.end(), [&](const int a, const int b)
         {
