@@ -29,12 +29,11 @@ Usage
 
 #include "argList.H"
 #include "domainMesh.H"
+#include "effectTimes.H"
 #include "fvMesh.H"
-#include "profiling.H"
 #include "runChoice.H"
 #include "runLog.H"
 #include "sigFpe.H"
-#include "stepShares.H"
 
 using namespace Foam;
 using namespace Foam::melt;
@@ -87,12 +86,13 @@ int main(int argc, char* argv[])
         runTime.writeChecked(write);
     }
 
+    effectTimes::clear();
     while (runTime.run())
     {
         const scalar deltaT = runTime.advance(method->maxDeltaT());
 
         {
-            addProfiling(advance, stepShares::step);
+            const effectTimes::part timing(effectTimes::flow, "rest");
             method->advance(deltaT);
         }
 
@@ -106,7 +106,8 @@ int main(int argc, char* argv[])
 
     log.end();
     choice.reportEnd(log.cpuTime(), log.steps());
-    stepShares::print(Info);
+    method->divideTimes();
+    scene.effects().reportTimes(Info);
 
     Info<< "End" << nl << endl;
 

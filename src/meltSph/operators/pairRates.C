@@ -7,7 +7,9 @@
 #include "pairRates.H"
 #include "artificialViscosityLaw.H"
 #include "blockSum.H"
+#include "clockValue.H"
 #include "conductionLaw.H"
+#include "DynamicList.H"
 #include "heatConduction.H"
 #include "pressureLaw.H"
 #include "stressLaw.H"
@@ -99,6 +101,48 @@ double Foam::melt::pairRates::add
         int(fromWalls.size()),
         [&](const int i) { return fromWalls[i]; }
     );
+}
+
+
+Foam::List<Foam::Tuple2<Foam::word, Foam::scalar>>
+Foam::melt::pairRates::shares
+(
+    const neighbourhood& near,
+    const wallState& walls,
+    particles& f
+) const
+{
+    // The least of three is disturbed least
+    const auto seconds = [&](const pairRates& laws)
+    {
+        scalar least = GREAT;
+        for (int i = 0; i < 3; ++i)
+        {
+            const auto start = clockValue::now();
+            laws.add(near, walls, f);
+            least = min(least, scalar(clockValue::now() - start));
+        }
+        return least;
+    };
+    const scalar all = max(seconds(*this), VSMALL);
+
+    DynamicList<Tuple2<word, scalar>> shares;
+    scalar left = 1;
+    const auto law = [&](const word& effect, bool pairRates::* const on)
+    {
+        if (this->*on)
+        {
+            pairRates others(*this);
+            others.*on = false;
+            const scalar share = min(max(1 - seconds(others)/all, scalar(0)), left);
+            left -= share;
+            shares.append(Tuple2<word, scalar>(effect, share));
+        }
+    };
+    law("artificialViscosity", &pairRates::artificialViscosity);
+    law("XSPH", &pairRates::xsph);
+    law("heatConduction", &pairRates::conduction);
+    return List<Tuple2<word, scalar>>(std::move(shares));
 }
 
 // ************************************************************************* //

@@ -5,13 +5,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "effectRules.H"
+#include "effectNumbers.H"
+#include "effectTimes.H"
 #include "fvMesh.H"
-#include "heatSources.H"
 #include "meltScene.H"
-#include "physicoChemicalConstants.H"
-#include "shape.H"
-
-#include <cmath>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -22,6 +19,7 @@ using namespace Foam;
 using melt::effectRules::rule;
 using melt::effectRules::verdict;
 using melt::meltScene;
+using namespace melt::effectNumbers;
 
 //- "name = value"
 string number(const char* name, const scalar value)
@@ -29,72 +27,6 @@ string number(const char* name, const scalar value)
     OStringStream os;
     os  << name << " = " << value;
     return os.str();
-}
-
-
-//- Least extent of a shape [m]
-scalar extent(const meltScene& scene)
-{
-    scalar H = GREAT;
-    for (const melt::shape& s : scene.shapes())
-    {
-        H = min(H, cmptMin(s.bounds().span()));
-    }
-    return max(H, VSMALL);
-}
-
-
-//- Shear rate that gravity causes [1/s]
-scalar shearRate(const meltScene& scene)
-{
-    return std::sqrt(mag(scene.g())/extent(scene));
-}
-
-
-//- Viscosity at the highest temperature [Pa s]
-scalar hotViscosity(const meltScene& scene, const scalar shearRate)
-{
-    const scalar T = scene.TRange().max();
-    scalar eta = 0;
-    scene.rheology().eta(1, &shearRate, &T, &eta);
-    return max(eta, VSMALL);
-}
-
-
-label nSources(const meltScene& scene)
-{
-    return scene.dict().subOrEmptyDict("heatSources").size();
-}
-
-
-//- Sources that can take heat away: warm or cold surroundings
-label nLossy(const meltScene& scene)
-{
-    label n = 0;
-    for (const entry& e : scene.dict().subOrEmptyDict("heatSources"))
-    {
-        n += melt::heatSources::exchangesHeat(e);
-    }
-    return n;
-}
-
-
-//- Heat transfer at the surface over conduction through the extent
-scalar biot(const meltScene& scene)
-{
-    scalar h = 0;
-    for (const entry& e : scene.dict().subOrEmptyDict("heatSources"))
-    {
-        if (melt::heatSources::exchangesHeat(e))
-        {
-            const dictionary& dict = e.dict();
-            h += dict.lookupOrDefault<scalar>("h", 0)
-               + 4*dict.lookupOrDefault<scalar>("emissivity", 0)
-                *constant::physicoChemical::sigma.value()
-                *pow3(scene.TRange().max());
-        }
-    }
-    return h*extent(scene)/max(scene.thermo().kappaSolid(), VSMALL);
 }
 
 
@@ -276,16 +208,16 @@ verdict XSPH(const meltScene&)
 
 rule rules[] =
 {
-    {"artificialViscosity", artificialViscosity},
-    {"buoyancy", buoyancy},
-    {"generalisedNewtonian", generalisedNewtonian},
-    {"heatConduction", heatConduction},
-    {"heatSources", heatSources},
-    {"latentHeat", latentHeat},
-    {"phaseChange", phaseChange},
-    {"rigidSolids", rigidSolids},
-    {"surfaceHeatLoss", surfaceHeatLoss},
-    {"XSPH", XSPH}
+    {"artificialViscosity", nullptr, artificialViscosity},
+    {"buoyancy", melt::effectTimes::flow, buoyancy},
+    {"generalisedNewtonian", melt::effectTimes::flow, generalisedNewtonian},
+    {"heatConduction", nullptr, heatConduction},
+    {"heatSources", nullptr, heatSources},
+    {"latentHeat", "heatConduction", latentHeat},
+    {"phaseChange", "heatConduction", phaseChange},
+    {"rigidSolids", nullptr, rigidSolids},
+    {"surfaceHeatLoss", "heatSources", surfaceHeatLoss},
+    {"XSPH", nullptr, XSPH}
 };
 
 } // End anonymous namespace

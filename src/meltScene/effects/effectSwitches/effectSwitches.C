@@ -6,6 +6,7 @@
 
 #include "effectSwitches.H"
 #include "dictionary.H"
+#include "effectTimes.H"
 #include "Switch.H"
 
 #include <iomanip>
@@ -64,7 +65,8 @@ Foam::melt::effectSwitches::effectSwitches
             rule.name,
             choice == "auto" ? verdict.needed : bool(value),
             choice == "auto",
-            verdict
+            verdict,
+            rule.within
         });
     }
 
@@ -148,6 +150,54 @@ void Foam::melt::effectSwitches::report(Ostream& os) const
         }
     }
     os  << endl;
+}
+
+
+
+void Foam::melt::effectSwitches::reportTimes(Ostream& os) const
+{
+    const scalar total = effectTimes::seconds();
+    if (!(total > 0))
+    {
+        return;
+    }
+    std::ostringstream table;
+    table << std::left << std::fixed << std::setprecision(1);
+    const auto share = [&](const scalar seconds)
+    {
+        table << std::right << std::setw(6) << 100*seconds/total << " %"
+              << std::left;
+    };
+
+    for (const effect& e : effects_)
+    {
+        table
+            << "    " << std::setw(22) << e.name
+            << std::setw(4) << (e.on ? "on" : "off");
+        const scalar seconds = effectTimes::seconds(e.name);
+        if (e.on && e.within && !seconds)
+        {
+            table << "  in " << e.within;
+        }
+        else
+        {
+            share(seconds);
+        }
+        table << '\n';
+    }
+    table << "    " << std::setw(26) << effectTimes::flow;
+    share(effectTimes::seconds(effectTimes::flow));
+    table << "\nParts of a step\n";
+    for (const effectTimes::record& part : effectTimes::parts())
+    {
+        table << "    " << std::setw(26) << part.name;
+        share(part.seconds);
+        table << "  " << std::setw(22) << part.effect << part.calls
+              << " calls\n";
+    }
+
+    os  << "Effects, share of the time of the steps, " << total << " s" << nl
+        << table.str().c_str() << endl;
 }
 
 

@@ -10,6 +10,7 @@
 #include "checkedEntry.H"
 #include "dimensionSets.H"
 #include "divergence.H"
+#include "effectTimes.H"
 #include "fvMesh.H"
 #include "shape.H"
 #include "sphPeriods.H"
@@ -392,6 +393,7 @@ void Foam::melt::sphMethod::advance(const scalar deltaT)
 
     if (heating_.valid())
     {
+        const effectTimes::part timing("heatSources", "surfaceHeating");
         system_.heatReceived +=
             heating_->heat(mesh_.time().value(), deltaT);
     }

@@ -6,7 +6,7 @@
 
 #include "sphEquations.H"
 #include "blockSum.H"
-#include "profiling.H"
+#include "effectTimes.H"
 #include "velocityGradient.H"
 #include "wallExtrapolation.H"
 
@@ -21,25 +21,26 @@ Foam::melt::sphEquations::sphEquations
     control_(dict.subDict("timeStep")),
     solver_(dict.subOrEmptyDict("implicit"))
 {
-    const auto add = [&](const word& role)
+    const auto add = [&](const word& role, const word& effect)
     {
         terms_.append(rateTerm::New(dict.subDict(role), system_));
+        effects_.append(effect);
     };
 
     system_.generalisedNewtonian = effects("generalisedNewtonian");
     heatSources_ = effects("heatSources");
 
-    add("pressure");
-    add("viscosity");
+    add("pressure", effectTimes::flow);
+    add("viscosity", effectTimes::flow);
     if (effects("heatConduction"))
     {
-        add("heat");
+        add("heat", "heatConduction");
     }
     for (const word& role : {"artificialViscosity", "XSPH"})
     {
         if (effects(role) && dict.found(role))
         {
-            add(role);
+            add(role, role);
         }
     }
 
@@ -96,10 +97,7 @@ void Foam::melt::sphEquations::evaluate()
     const enthalpyCurve curve = system_.thermo.enthalpy();
     const bool heat = heatSources_ || !f.dH.empty();
 
-    if (solids_.valid())
-    {
-        solids_->update();
-    }
+    forSolids([](solidModel& solids) { solids.update(); });
 
     #pragma omp parallel for schedule(static)
     for (int i = 0; i < n; ++i)
@@ -114,56 +112,50 @@ void Foam::melt::sphEquations::evaluate()
         }
     }
 
-    for (rateTerm& term : terms_)
+    forTerms([](rateTerm& term) { term.prepare(); });
     {
-        addProfiling(preparation, term.type());
-        term.prepare();
-    }
-    {
-        addProfiling(walls, "wallExtrapolation");
+        const effectTimes::part timing(effectTimes::flow, "wallExtrapolation");
         wallExtrapolation(system_.near, f, system_.g, system_.walls);
     }
     {
-        addProfiling(gradient, "velocityGradient");
+        const effectTimes::part timing(effectTimes::flow, "velocityGradient");
         velocityGradient(system_.near, system_.walls, f, system_.deformation);
     }
-    for (rateTerm& term : terms_)
+    forTerms([](rateTerm& term) { term.addRates(); });
+    forSolids([](solidModel& solids) { solids.setProperties(); });
     {
-        addProfiling(rates, term.type());
-        term.addRates();
+        const effectTimes::part timing(effectTimes::flow, pairRates::typeName);
+        system_.heatFromWalls =
+            system_.pairs.add(system_.near, system_.walls, f);
     }
-    if (solids_.valid())
-    {
-        solids_->setProperties();
-    }
-    addProfiling(pairs, "pairRates");
-    system_.heatFromWalls = system_.pairs.add(system_.near, system_.walls, f);
-    if (solids_.valid())
-    {
-        solids_->projectRates();
-    }
+    forSolids([](solidModel& solids) { solids.projectRates(); });
 }
 
 
 void Foam::melt::sphEquations::advanceHeat(const scalar deltaT)
 {
-    for (rateTerm& term : terms_)
-    {
-        term.advanceHeat(deltaT);
-    }
+    forTerms([deltaT](rateTerm& term) { term.advanceHeat(deltaT); });
+}
+
+
+bool Foam::melt::sphEquations::implicitUpdate
+(
+    const scalar deltaT,
+    const vectorArray& guess
+)
+{
+    const effectTimes::part timing(effectTimes::flow, "implicitForces");
+    return solver_.solve(system_, deltaT, guess);
 }
 
 
 bool Foam::melt::sphEquations::couple(const label nSolved)
 {
     bool coupled = true;
-    for (rateTerm& term : terms_)
+    forTerms([&](rateTerm& term) { coupled = term.couple(nSolved) && coupled; });
+    if (!coupled)
     {
-        coupled = term.couple(nSolved) && coupled;
-    }
-    if (!coupled && solids_.valid())
-    {
-        solids_->setProperties();
+        forSolids([](solidModel& solids) { solids.setProperties(); });
     }
     return coupled;
 }
@@ -172,18 +164,23 @@ bool Foam::melt::sphEquations::couple(const label nSolved)
 void Foam::melt::sphEquations::setDensityRate()
 {
     bool isSet = false;
-    for (rateTerm& term : terms_)
-    {
-        isSet = term.setDensityRate() || isSet;
-    }
+    forTerms([&](rateTerm& term) { isSet = term.setDensityRate() || isSet; });
     if (!isSet)
     {
+        const effectTimes::part timing(effectTimes::flow, "velocityGradient");
         velocityGradient(system_.near, system_.walls, system_.fluid, false);
     }
-    if (solids_.valid())
-    {
-        solids_->holdDensity();
-    }
+    forSolids([](solidModel& solids) { solids.holdDensity(); });
+}
+
+
+void Foam::melt::sphEquations::divideTimes()
+{
+    effectTimes::divide
+    (
+        pairRates::typeName,
+        system_.pairs.shares(system_.near, system_.walls, system_.fluid)
+    );
 }
 
 

@@ -5,7 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sphScheme.H"
-#include "profiling.H"
+#include "effectTimes.H"
 
 namespace Foam
 {
@@ -85,7 +85,7 @@ void Foam::melt::sphScheme::updateNeighbours(const scalar longestWay)
 {
     if (system_.near.outdated(longestWay))
     {
-        addProfiling(lists, "neighbourhood");
+        const effectTimes::part timing(effectTimes::flow, "neighbourhood");
         system_.near.build(system_.fluid, system_.walls);
     }
 }

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "apparentViscosity.H"
+#include "effectTimes.H"
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +35,11 @@ void Foam::melt::setViscosityAndStress
     const double gain
 )
 {
+    const effectTimes::part timing
+    (
+        shearRates ? "generalisedNewtonian" : effectTimes::flow,
+        "apparentViscosity"
+    );
     constexpr int blockSize = 1024;
     const int n = f.size();
 

@@ -5,8 +5,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "voxelAutomatonMethod.H"
+#include "effectTimes.H"
 #include "fvMesh.H"
-#include "profiling.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -42,12 +42,12 @@ void Foam::melt::voxelAutomatonMethod::exchangeHeat()
     for (label i = 0; i < n; ++i)
     {
         {
-            addProfiling(sources, "heatSources");
+            const effectTimes::part timing("heatSources", "heatSources");
             heating_->heat(grid_, start + (i + 0.5)*dt, dt);
         }
         if (conduction_)
         {
-            addProfiling(conduction, "heatConduction");
+            const effectTimes::part timing("heatConduction", "heatConduction");
             conduction_->conduct(grid_, dt);
         }
     }
@@ -85,7 +85,11 @@ Foam::scalar Foam::melt::voxelAutomatonMethod::maxDeltaT() const
     times_.run
     (
         stageTimes::SPREADING,
-        [&] { limit(lubrication_.prepare(grid_), "lubrication"); }
+        [&]
+        {
+            const effectTimes::part timing(effectTimes::flow, "spreading");
+            limit(lubrication_.prepare(grid_), "lubrication");
+        }
     );
     if
     (
@@ -125,7 +129,7 @@ void Foam::melt::voxelAutomatonMethod::advance(const scalar deltaT)
         stageTimes::SPREADING,
         [&]
         {
-            addProfiling(spreading, "spreading");
+            const effectTimes::part timing(effectTimes::flow, "spreading");
             published_
           ? published_->spread(grid_) : lubrication_.spread(grid_, deltaT);
         }
@@ -135,7 +139,7 @@ void Foam::melt::voxelAutomatonMethod::advance(const scalar deltaT)
         stageTimes::FALLING,
         [&]
         {
-            addProfiling(falling, "falling");
+            const effectTimes::part timing(effectTimes::flow, "falling");
             published_
           ? published_->fall(grid_) : gravity_.fall(grid_, deltaT);
         }
@@ -147,7 +151,7 @@ void Foam::melt::voxelAutomatonMethod::advance(const scalar deltaT)
             stageTimes::SOLIDS,
             [&]
             {
-                addProfiling(pieces, "looseSolids");
+                const effectTimes::part timing("rigidSolids", "looseSolids");
                 loose_.fall(grid_, deltaT);
             }
         );
@@ -157,7 +161,11 @@ void Foam::melt::voxelAutomatonMethod::advance(const scalar deltaT)
         times_.run
         (
             stageTimes::VENTS,
-            [&] { vents_.flow(grid_, mesh_.time().value(), deltaT); }
+            [&]
+            {
+                const effectTimes::part timing(effectTimes::flow, "vents");
+                vents_.flow(grid_, mesh_.time().value(), deltaT);
+            }
         );
     }
     heatTime_ += deltaT;
