@@ -66,6 +66,7 @@ Foam::melt::costCurve::guess Foam::melt::costCurve::at
         dx,
         error_(n),
         error_.spread(n),
+        error_.freedom(),
         steps,
         elements(scales, dx)*steps*cpuTime_(n),
         exp(sqrt(sqr(log(stepSpread)) + sqr(log(cpuTime_.spread(n)))))

@@ -6,6 +6,37 @@
 
 #include "costLaw.H"
 #include "checkedEntry.H"
+#include "FixedList.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Student's t of 97.5 % for degrees of freedom >= 1. M. Abramowitz, I. A.
+//  Stegun, Handbook of mathematical functions, 1964, table 26.10; beyond it
+//  equation 26.7.5, whose error is below 0.1 %
+scalar studentT(const label freedom)
+{
+    static const FixedList<scalar, 10> table
+    ({
+        12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228
+    });
+    if (freedom <= table.size())
+    {
+        return table[freedom - 1];
+    }
+    const scalar z = 1.959964;
+    return
+        z
+      + (pow3(z) + z)/(4*freedom)
+      + (5*pow5(z) + 16*pow3(z) + 3*z)/(96*sqr(scalar(freedom)));
+}
+
+} // End anonymous namespace
+
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -15,6 +46,7 @@ Foam::melt::costLaw::costLaw
     const scalar exponent,
     const scalar spread,
     const scalar points,
+    const scalar freedom,
     const scalar centre,
     const scalar variation
 )
@@ -23,6 +55,7 @@ Foam::melt::costLaw::costLaw
     exponent_(exponent),
     spread_(spread),
     points_(points),
+    freedom_(freedom),
     centre_(centre),
     variation_(variation)
 {}
@@ -45,6 +78,10 @@ Foam::melt::costLaw::costLaw(const dictionary& dict)
     points_
     (
         checkedEntry::get(dict, "points", dimless, checkedEntry::positive())
+    ),
+    freedom_
+    (
+        checkedEntry::get(dict, "freedom", dimless, checkedEntry::notNegative())
     ),
     centre_
     (
@@ -102,14 +139,17 @@ Foam::melt::costLaw Foam::melt::costLaw::fit
     {
         residual += sqr(log(y[i]) - logA - b*log(x[i]));
     }
-    const label freedom = max(label(1), n - (sloped ? 2 : 1));
+    const label freedom = n - (sloped ? 2 : 1);
 
     return costLaw
     (
         exp(logA),
         b,
-        exp(2*sqrt(residual/freedom)),
+        freedom
+      ? min(exp(studentT(freedom)*sqrt(residual/freedom)), GREAT)
+      : GREAT,
         n,
+        freedom,
         exp(meanX),
         sloped ? sumXX : 0
     );
@@ -131,6 +171,7 @@ Foam::dictionary Foam::melt::costLaw::dict() const
     dict.add("exponent", exponent_);
     dict.add("spread", spread_);
     dict.add("points", points_);
+    dict.add("freedom", freedom_);
     dict.add("centre", centre_);
     dict.add("variation", variation_);
     return dict;

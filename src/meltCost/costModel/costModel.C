@@ -130,7 +130,8 @@ Foam::melt::costModel::choice Foam::melt::costModel::choose
             ({
                 method,
                 curve.at(n, scales),
-                n > curve.n().max()
+                n,
+                curve.n().max()
             });
             if (meets(all.last(), request))
             {
@@ -169,12 +170,30 @@ Foam::Ostream& Foam::melt::operator<<
     const costModel::choice& c
 )
 {
-    return os
-        << c.method << " at " << c.guess.resolution << " m: error "
-        << c.guess.error << " (up to " << c.guess.worstError()
-        << "), CPU time " << c.guess.cpuTime << " s (up to "
-        << c.guess.worstCpuTime() << " s)"
-        << (c.extrapolated ? ", finer than any that was tried" : "");
+    const auto upTo = [&os](const scalar worst, const char* unit)
+    {
+        if (worst < sqrt(GREAT))
+        {
+            os << worst << unit;
+        }
+        else
+        {
+            os << "nobody knows: too few points";
+        }
+    };
+    os  << c.method << " at " << c.guess.resolution << " m: error "
+        << c.guess.error << " (up to ";
+    upTo(c.guess.worstError(), "");
+    os  << "), CPU time " << c.guess.cpuTime << " s (up to ";
+    upTo(c.guess.worstCpuTime(), " s");
+    os  << "), 95 % prediction intervals, that of the error by "
+        << c.guess.errorFreedom << " degrees of freedom";
+    if (c.n > c.finest)
+    {
+        os  << "; extrapolated: " << c.n << " elements across, at most "
+            << c.finest << " were tried";
+    }
+    return os;
 }
 
 

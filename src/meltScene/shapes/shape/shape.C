@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "shape.H"
+#include "mathematicalConstants.H"
 
 #include <cmath>
 
@@ -27,14 +28,20 @@ Foam::melt::shape::shape(const word& name, const dictionary& dict)
     name_(name),
     transformation_(dict),
     U_(dict.lookupOrDefault<vector>("U", Zero)),
-    omega_(dict.lookupOrDefault<vector>("omega", Zero))
+    omega_(dict.lookupOrDefault<vector>("omega", Zero)),
+    vortex_(dict.lookupOrDefault<scalar>("vortex", 0))
 {
-    if (!std::isfinite(mag(U_)) || !std::isfinite(mag(omega_)))
+    if
+    (
+        !std::isfinite(mag(U_))
+     || !std::isfinite(mag(omega_))
+     || !std::isfinite(vortex_)
+    )
     {
         FatalIOErrorInFunction(dict)
             << "Entry 'U' of shape " << name << " is " << U_
-            << " m/s, 'omega' is " << omega_ << " rad/s; accepted are finite"
-            << " numbers" << exit(FatalIOError);
+            << " m/s, 'omega' is " << omega_ << " rad/s, 'vortex' is "
+            << vortex_ << " m/s; accepted are finite numbers" << exit(FatalIOError);
     }
 }
 
@@ -113,7 +120,25 @@ Foam::scalar Foam::melt::shape::volume() const
 
 Foam::vectorField Foam::melt::shape::velocity(const pointField& points) const
 {
-    return U_ + (omega_ ^ (points - bounds().midpoint()));
+    const boundBox box(bounds());
+    vectorField result(U_ + (omega_ ^ (points - box.midpoint())));
+    if (vortex_ != 0)
+    {
+        const vector L(box.span());
+        forAll(points, i)
+        {
+            const vector d(points[i] - box.min());
+            const scalar X = constant::mathematical::pi*d.x()/L.x();
+            const scalar Y = constant::mathematical::pi*d.y()/L.y();
+            result[i] += vortex_*vector
+            (
+                std::sin(X)*std::cos(Y),
+                -L.y()/L.x()*std::cos(X)*std::sin(Y),
+                0
+            );
+        }
+    }
+    return result;
 }
 
 

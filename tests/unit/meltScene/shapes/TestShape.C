@@ -181,4 +181,37 @@ TEST(Shape, motionAtTheStart)
     expectMessage(box + "U (0 nan 0);", "U");
 }
 
+
+// Walls around the bounds are not crossed, and volume is kept
+TEST(Shape, vortexAtTheStart)
+{
+    const autoPtr<shape> body
+    (
+        shapeOf("type box; min (0 0 0); max (2 1 1); vortex 3;")
+    );
+    const scalar d = 1e-4;
+    const vectorField U
+    (
+        body->velocity
+        (
+            pointField
+            ({
+                point(1, 0, 0), point(0, 0.3, 0), point(2, 0.3, 0.5),
+                point(0.7, 1, 0),
+                point(0.7 + d, 0.3, 0), point(0.7 - d, 0.3, 0),
+                point(0.7, 0.3 + d, 0), point(0.7, 0.3 - d, 0)
+            })
+        )
+    );
+    EXPECT_NEAR(mag(U[0] - vector(3, 0, 0)), 0, 1e-14);
+    EXPECT_NEAR(U[1].x(), 0, 1e-14);
+    EXPECT_NEAR(U[2].x(), 0, 1e-14);
+    EXPECT_NEAR(U[3].y(), 0, 1e-14);
+    EXPECT_NEAR
+    (
+        (U[4].x() - U[5].x() + U[6].y() - U[7].y())/(2*d), 0, 1e-6
+    );
+    expectMessage(box + "vortex nan;", "vortex");
+}
+
 // ************************************************************************* //
