@@ -82,7 +82,7 @@ TEST(CostLaw, fewPointsSayLittle)
     for (const auto& [freedom, t] : quantiles)
     {
         // At one x: residuals of 1 % up and down in turn
-        scalarList x(freedom + 1, 2), y(freedom + 1, 1.01);
+        scalarList x(freedom + 1, 2.0), y(freedom + 1, 1.01);
         scalar mean = 0;
         forAll(y, i)
         {
