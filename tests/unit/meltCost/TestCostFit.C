@@ -56,6 +56,8 @@ TEST(CostFit, aModelOfPointsOnLawsPredictsThem)
         (
             row(2, "sph", 8) + row(4, "sph", 64) + row(8, "sph", 512)
           + row(2, "eulerian", 16) + row(4, "eulerian", 128)
+          + row(8, "eulerian", 1024)
+          + row(2, "voxelAutomaton", 8) + row(4, "voxelAutomaton", 64)
         )
     );
 
@@ -99,6 +101,19 @@ TEST(CostFit, aModelOfPointsOnLawsPredictsThem)
         )
     );
     EXPECT_NEAR(eulerian.guess.cpuTime, 640*120e-6, 1e-5);
+    EXPECT_EQ(eulerian.guess.errorFreedom, 1);
+
+    // By two points nothing can be promised
+    EXPECT_THROW
+    (
+        read.choose
+        (
+            costRequest::accuracy("0.9"),
+            scales,
+            [](const word& m) { return m == "voxelAutomaton"; }
+        ),
+        Foam::error
+    );
 }
 
 
