@@ -72,7 +72,7 @@ void Foam::melt::runChoice::choose
         << (request.isBudget ? "CPU time" : "error") << " stays below "
         << request.limit << (request.isBudget ? " s" : "")
         << ", by what was measured in cases of class " << scales.caseClass
-        << ' ' << model.cases(scales.caseClass) << nl
+        << ' ' << flatOutput(chosen_->cases) << nl
         << "    on " << model.machine().c_str()
         << ", one thread. Ranges hold for such cases; the error of another one"
         << " is not known" << nl

@@ -63,7 +63,14 @@ Foam::dictionary Foam::melt::costFit::curve(const UList<point>& points)
         domain += mag(log(points[i].perDomain));
     }
 
+    HashSet<word> cases;
+    for (const point& p : points)
+    {
+        cases.insert(p.caseName);
+    }
+
     dictionary dict;
+    dict.add("cases", wordList(cases.sortedToc()));
     dict.add("elements", word(domain < melt ? "domain" : "melt"));
     dict.add("n", Pair<scalar>(range.min(), range.max()));
 

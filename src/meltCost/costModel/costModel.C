@@ -130,6 +130,10 @@ Foam::melt::costModel::choice Foam::melt::costModel::choose
             ({
                 method,
                 curve.at(n, scales),
+                methods.subDict(method).lookupOrDefault
+                (
+                    "cases", cases(scales.caseClass)
+                ),
                 n,
                 curve.n().max()
             });

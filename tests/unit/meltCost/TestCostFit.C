@@ -102,6 +102,7 @@ TEST(CostFit, aModelOfPointsOnLawsPredictsThem)
     );
     EXPECT_NEAR(eulerian.guess.cpuTime, 640*120e-6, 1e-5);
     EXPECT_EQ(eulerian.guess.errorFreedom, 1);
+    EXPECT_EQ(eulerian.cases, wordList({"cube"}));
 
     // By two points nothing can be promised
     EXPECT_THROW
