@@ -33,7 +33,8 @@ Foam::melt::velocitySolver::velocitySolver(const dictionary& dict)
         (
             dict, "coarseSpacing", dimless, scalarMinMax::ge(0), 5
         )
-    )
+    ),
+    storePairs_(dict.getOrDefault("storePairs", true))
 {}
 
 
@@ -153,8 +154,9 @@ bool Foam::melt::velocitySolver::solve
     };
 
     implicitParts parts;
-    // Single precision does not reach a tolerance near its own round-off
-    bool described = tolerance_ > 10*floatScalarSMALL;
+    // Pairs are stored in single precision, which does not reach a tolerance near
+    // its own round-off
+    bool described = storePairs_ && tolerance_ > 10*floatScalarSMALL;
     for (const implicitOperator* o : operators_)
     {
         described = o->describe(parts) && described;
