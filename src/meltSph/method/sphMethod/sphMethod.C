@@ -251,10 +251,21 @@ void Foam::melt::sphMethod::removeEscaped()
     particles& f = system_.fluid;
     const boundBox& domain = mesh_.bounds();
 
+    // A particle may have gone through a cyclic patch since the lists were built
+    const periodicBox& box = system_.near.box();
+    const auto inside = [&](const double x, const int axis)
+    {
+        return box.period(axis) > 0 ? box.inside(x, axis) : x;
+    };
+
     std::vector<int> staying;
     for (int i = 0; i < f.size(); ++i)
     {
-        if (domain.contains(point(f.x[i], f.y[i], f.z[i])))
+        const point image
+        (
+            inside(f.x[i], 0), inside(f.y[i], 1), inside(f.z[i], 2)
+        );
+        if (domain.contains(image))
         {
             staying.push_back(i);
         }
