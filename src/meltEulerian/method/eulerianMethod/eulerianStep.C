@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "eulerianMethod.H"
+#include "effectTimes.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -62,7 +63,10 @@ void Foam::melt::eulerianMethod::advance(const scalar deltaT)
         const scalar part = step < (1 - SMALL)*remaining_ ? step : remaining_;
         const faceVelocities U(flow_.U());
         const std::vector<double> p(flow_.p());
-        flow(part);
+        {
+            const effectTimes::part timing(effectTimes::flow, "momentum");
+            flow(part);
+        }
 
         // What has just melted may be faster than anything was before
         const scalar Courant = interface_.Courant(flow_.U(), part);
@@ -72,8 +76,11 @@ void Foam::melt::eulerianMethod::advance(const scalar deltaT)
             step = part*Courant_/Courant;
             continue;
         }
-        interfaceSteps_ =
-            interface_.advance(flow_.U(), part, Courant_, alphaH_);
+        {
+            const effectTimes::part timing(effectTimes::flow, "interface");
+            interfaceSteps_ =
+                interface_.advance(flow_.U(), part, Courant_, alphaH_);
+        }
         vents_.flow
         (
             mesh_.time().value() - remaining_ + part,
@@ -82,7 +89,10 @@ void Foam::melt::eulerianMethod::advance(const scalar deltaT)
             alphaH_
         );
         interface_.alpha().correctBoundaryConditions();
-        exchangeHeat(part);
+        {
+            const effectTimes::part timing("heatConduction", "enthalpy");
+            exchangeHeat(part);
+        }
         remaining_ = part < remaining_ ? remaining_ - part : 0;
         lastDeltaT_ = step;
         step *= growth_;
