@@ -6,6 +6,7 @@
 
 #include "eulerianMethod.H"
 #include "checkedEntry.H"
+#include "surfaceTension.H"
 
 #include <algorithm>
 
@@ -87,9 +88,22 @@ void Foam::melt::eulerianMethod::flow(const scalar deltaT)
         )
     );
     region_.addPressure(thermo.rho(), scene_.g(), acceleration);
+    const std::vector<double> alpha(region_.onGrid(interface_.alpha()));
+    if (surfaceTension_ > 0)
+    {
+        surfaceTension::addAcceleration
+        (
+            region_.grid(),
+            alpha,
+            flow_.wetFrom(),
+            surfaceTension_,
+            thermo.rho(),
+            acceleration
+        );
+    }
     flowRecord_ = flow_.advance
     (
-        region_.onGrid(interface_.alpha()),
+        alpha,
         thermo.rho(),
         deltaT,
         acceleration,

@@ -83,6 +83,21 @@ Foam::melt::eulerianMethod::eulerianMethod
     buoyancy_
     (
         dict_.subOrEmptyDict("buoyancy"), scene.effects()("buoyancy")
+    ),
+    surfaceTension_
+    (
+        scene.effects()("surfaceTension") ? scene.thermo().surfaceTension() : 0
+    ),
+    capillary_
+    (
+        checkedEntry::getOrDefault
+        (
+            dict_.subOrEmptyDict("timeStep"),
+            "capillary",
+            dimless,
+            checkedEntry::positiveUpTo(0.8),
+            0.5
+        )
     )
 {
     scene.periods().refuse(typeName);

@@ -6,6 +6,7 @@
 
 #include "eulerianMethod.H"
 #include "effectTimes.H"
+#include "surfaceTension.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -32,6 +33,18 @@ Foam::scalar Foam::melt::eulerianMethod::longestStep(word& limit) const
     {
         longest = Courant_/Courant;
         limit = "Courant";
+    }
+    if (surfaceTension_ > 0)
+    {
+        const scalar capillary = capillary_*surfaceTension::capillaryTime
+        (
+            region_.grid(), surfaceTension_, scene_.thermo().rho()
+        );
+        if (capillary < longest)
+        {
+            longest = capillary;
+            limit = "capillary";
+        }
     }
     return longest;
 }

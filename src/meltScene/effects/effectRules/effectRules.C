@@ -200,6 +200,30 @@ verdict surfaceHeatLoss(const meltScene& scene)
 }
 
 
+verdict surfaceTension(const meltScene& scene)
+{
+    // Of the weight, as a pressure: sigma/H over rho |g| H
+    const scalar negligible = 0.01;
+
+    const scalar sigma = scene.thermo().surfaceTension();
+    if (sigma == 0)
+    {
+        return {false, "the material has none", "-"};
+    }
+    const scalar bond =
+        scene.thermo().rho()*mag(scene.g())*sqr(extent(scene))/sigma;
+    const bool needed = bond*negligible < 1;
+    return
+    {
+        needed,
+        bond == 0 ? "no gravity"
+      : needed ? "it is over 1 % of the weight"
+      : "it is under 1 % of the weight",
+        number("Bo", bond)
+    };
+}
+
+
 verdict XSPH(const meltScene&)
 {
     return {true, "keeps particles in order; the method has its coefficient", "-"};
@@ -217,6 +241,7 @@ rule rules[] =
     {"phaseChange", "heatConduction", phaseChange},
     {"rigidSolids", nullptr, rigidSolids},
     {"surfaceHeatLoss", "heatSources", surfaceHeatLoss},
+    {"surfaceTension", melt::effectTimes::flow, surfaceTension},
     {"XSPH", nullptr, XSPH}
 };
 

@@ -153,6 +153,21 @@ void Foam::melt::effectSwitches::report(Ostream& os) const
 }
 
 
+void Foam::melt::effectSwitches::warnNotSimulated
+(
+    const word& name,
+    const word& method
+) const
+{
+    if ((*this)(name))
+    {
+        WarningInFunction
+            << "Effect " << name << " is on, " << find(name)->verdict.number
+            << ", but the method " << method
+            << " does not simulate it. The result lacks it." << endl;
+    }
+}
+
 
 void Foam::melt::effectSwitches::reportTimes(Ostream& os) const
 {

@@ -41,6 +41,11 @@ Foam::melt::meltThermo::meltThermo(const dictionary& dict)
 
     enthalpy_.latentHeat =
         getOrDefault(dict, "latentHeat", dimEnergy/dimMass, notNegative(), 0);
+
+    surfaceTension_ = getOrDefault
+    (
+        dict, "surfaceTension", dimForce/dimLength, notNegative(), 0
+    );
 }
 
 

@@ -354,6 +354,7 @@ Foam::melt::sphMethod::sphMethod(fvMesh& mesh, const meltScene& scene)
             << exit(FatalError);
     }
 
+    scene.effects().warnNotSimulated("surfaceTension", typeName);
     if (scene.effects()("heatSources"))
     {
         heating_.reset(new surfaceHeating(scene.dict(), system_));

@@ -272,6 +272,7 @@ Foam::melt::voxelAutomatonMethod::voxelAutomatonMethod
         initialEnergy_ = grid_.totalEnergy();
     }
 
+    scene.effects().warnNotSimulated("surfaceTension", typeName);
     if (scene.effects()("heatConduction") || heating_->active())
     {
         conduction_.reset(new voxelConduction(neighbours));

@@ -274,6 +274,32 @@ TEST(EffectSwitches, latentHeatIsOnIfTheMaterialHasIt)
 }
 
 
+TEST(EffectSwitches, surfaceTensionFollowsTheBondNumber)
+{
+    // The cube has an edge of 0.4 m: Bo = rho 9.81 0.4^2/sigma
+    sceneCase files;
+    EXPECT_FALSE(effects(files, "")("surfaceTension"));
+
+    const auto on = [&](const char* sigma, const char* choice)
+    {
+        files.setMaterial
+        (
+            sceneCase::material(std::string("surfaceTension ") + sigma)
+          + "effects { " + choice + " }"
+        );
+        return meltScene(files.mesh(), 0.1).effects()("surfaceTension");
+    };
+    EXPECT_FALSE(on("0.03;", ""));
+    EXPECT_TRUE(on("0.03;", "surfaceTension on;"));
+    EXPECT_TRUE(on("100;", ""));
+    EXPECT_FALSE(on("100;", "surfaceTension off;"));
+    EXPECT_THROW(on("-1;", ""), IOerror);
+
+    files.set("constant/g", "dimensions [0 1 -2 0 0 0 0]; value (0 0 0);");
+    EXPECT_TRUE(on("0.03;", ""));
+}
+
+
 TEST(EffectSwitches, numbersAreThoseOfTheScene)
 {
     sceneCase files;
