@@ -6,6 +6,7 @@
 
 #include "eulerianMethod.H"
 #include "checkedEntry.H"
+#include "effectTimes.H"
 #include "surfaceTension.H"
 
 #include <algorithm>
@@ -91,6 +92,7 @@ void Foam::melt::eulerianMethod::flow(const scalar deltaT)
     const std::vector<double> alpha(region_.onGrid(interface_.alpha()));
     if (surfaceTension_ > 0)
     {
+        const effectTimes::part timing("surfaceTension", "surfaceTension");
         surfaceTension::addAcceleration
         (
             region_.grid(),

@@ -241,7 +241,7 @@ rule rules[] =
     {"phaseChange", "heatConduction", phaseChange},
     {"rigidSolids", nullptr, rigidSolids},
     {"surfaceHeatLoss", "heatSources", surfaceHeatLoss},
-    {"surfaceTension", melt::effectTimes::flow, surfaceTension},
+    {"surfaceTension", nullptr, surfaceTension},
     {"XSPH", nullptr, XSPH}
 };
 
