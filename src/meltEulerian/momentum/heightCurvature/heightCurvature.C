@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <limits>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -25,6 +25,12 @@ const double sharp = 1e-6;
 
 // Where a column has no such end, its last cell may be so far from it [-]
 const double blunt = 1e-2;
+
+// Normals of a gradient that is less than that by a cell so full are none [-]
+const double faint = 0.1;
+
+// Curvature by normals that is an edge, in one over the least edge of a cell [-]
+const double edge = 1.5;
 
 
 triple shifted(triple c, const int a, const int by)
@@ -179,81 +185,117 @@ bool Foam::melt::heightCurvature::fromHeights
 }
 
 
-void Foam::melt::heightCurvature::setFromHeights()
+bool Foam::melt::heightCurvature::fromHeights
+(
+    const triple& c,
+    double& kappa
+) const
 {
-    for (int cell = 0; cell < grid_.nCells(); ++cell)
-    {
-        const triple c(grid_.position(cell));
-        if (grid_.blocked(cell) || !atSurface(c))
+    const std::array<double, 3> g(gradient(c));
+    std::array<int, 3> directions{0, 1, 2};
+    std::stable_sort
+    (
+        directions.begin(),
+        directions.end(),
+        [&](const int i, const int j)
         {
-            continue;
+            return std::abs(g[i]) > std::abs(g[j]);
         }
-        const std::array<double, 3> g(gradient(c));
-        std::array<int, 3> directions{0, 1, 2};
-        std::stable_sort
-        (
-            directions.begin(),
-            directions.end(),
-            [&](const int i, const int j)
-            {
-                return std::abs(g[i]) > std::abs(g[j]);
-            }
-        );
-        for (const int a : directions)
+    );
+    return std::any_of
+    (
+        directions.begin(),
+        directions.end(),
+        [&](const int a)
         {
-            if
-            (
+            return
                 grid_.solved(a)
              && g[a] != 0
-             && fromHeights(c, a, g[a] > 0 ? -1 : 1, kappa_[cell])
-            )
-            {
-                known_[cell] = 1;
-                break;
-            }
+             && fromHeights(c, a, g[a] > 0 ? -1 : 1, kappa);
         }
-    }
+    );
 }
 
 
-void Foam::melt::heightCurvature::setFromNeighbours()
+double Foam::melt::heightCurvature::fromNormals(const triple& c) const
 {
-    std::vector<std::pair<int, double>> means;
-    for (int cell = 0; cell < grid_.nCells(); ++cell)
+    // Normals to the air at the corners of the cell, from the 8 cells around
+    // each: the divergence of their means over the faces
+    const double centre = alpha_[grid_.cell(c)];
+    double kappa = 0;
+    for (int corner = 0; corner < 8; ++corner)
     {
-        const triple c(grid_.position(cell));
-        if (known_[cell] || grid_.blocked(cell) || !atSurface(c))
+        std::array<double, 3> side, normal{0, 0, 0};
+        for (int a = 0; a < 3; ++a)
         {
-            continue;
+            side[a] = corner >> a & 1 ? 1 : -1;
         }
-        double sum = 0;
-        int n = 0;
-        triple by;
-        for (by[2] = -1; by[2] <= 1; ++by[2])
+        for (int i = 0; i < 8; ++i)
         {
-            for (by[1] = -1; by[1] <= 1; ++by[1])
+            triple at(c);
+            for (int a = 0; a < 3; ++a)
             {
-                for (by[0] = -1; by[0] <= 1; ++by[0])
+                at[a] += grid_.solved(a) && (i >> a & 1) ? int(side[a]) : 0;
+            }
+            const double alpha = free(at) ? alpha_[grid_.cell(at)] : centre;
+            for (int a = 0; a < 3; ++a)
+            {
+                normal[a] -= side[a]*(i >> a & 1 ? alpha : -alpha)/grid_.d()[a];
+            }
+        }
+        const double size = std::sqrt
+        (
+            normal[0]*normal[0] + normal[1]*normal[1] + normal[2]*normal[2]
+        );
+        for (int a = 0; a < 3; ++a)
+        {
+            if (size*grid_.d()[a] > faint)
+            {
+                kappa += 0.25*side[a]*normal[a]/size/grid_.d()[a];
+            }
+        }
+    }
+    return kappa;
+}
+
+
+bool Foam::melt::heightCurvature::withoutHeights
+(
+    const triple& c,
+    const std::vector<char>& ofHeights,
+    double& kappa
+) const
+{
+    double sum = 0;
+    int n = 0;
+    triple by;
+    for (by[2] = -1; by[2] <= 1; ++by[2])
+    {
+        for (by[1] = -1; by[1] <= 1; ++by[1])
+        {
+            for (by[0] = -1; by[0] <= 1; ++by[0])
+            {
+                const triple at{c[0] + by[0], c[1] + by[1], c[2] + by[2]};
+                if (grid_.inside(at) && ofHeights[grid_.cell(at)])
                 {
-                    const triple at{c[0] + by[0], c[1] + by[1], c[2] + by[2]};
-                    if (grid_.inside(at) && known_[grid_.cell(at)])
-                    {
-                        sum += kappa_[grid_.cell(at)];
-                        ++n;
-                    }
+                    sum += kappa_[grid_.cell(at)];
+                    ++n;
                 }
             }
         }
-        if (n)
+    }
+    double least = std::numeric_limits<double>::max();
+    for (int a = 0; a < 3; ++a)
+    {
+        if (grid_.solved(a))
         {
-            means.emplace_back(cell, sum/n);
+            least = std::min(least, grid_.d()[a]);
         }
     }
-    for (const auto& mean : means)
-    {
-        kappa_[mean.first] = mean.second;
-        known_[mean.first] = 1;
-    }
+    const double ofEdge = fromNormals(c);
+    const bool atEdge = std::abs(ofEdge)*least > edge;
+    kappa = atEdge ? ofEdge : n ? sum/n : 0;
+    return atEdge || n;
 }
 
 
@@ -270,8 +312,25 @@ Foam::melt::heightCurvature::heightCurvature
     kappa_(grid.nCells(), 0),
     known_(grid.nCells(), 0)
 {
-    setFromHeights();
-    setFromNeighbours();
+    std::vector<int> rest;
+    for (int cell = 0; cell < grid.nCells(); ++cell)
+    {
+        const triple c(grid.position(cell));
+        if (!grid.blocked(cell) && atSurface(c))
+        {
+            known_[cell] = fromHeights(c, kappa_[cell]);
+            if (!known_[cell])
+            {
+                rest.push_back(cell);
+            }
+        }
+    }
+    const std::vector<char> ofHeights(known_);
+    for (const int cell : rest)
+    {
+        known_[cell] =
+            withoutHeights(grid.position(cell), ofHeights, kappa_[cell]);
+    }
 }
 
 // ************************************************************************* //

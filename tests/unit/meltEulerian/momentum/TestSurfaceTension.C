@@ -197,8 +197,8 @@ TEST(HeightCurvature, mirroredAtWalls)
 }
 
 
-// A film has none, whatever its thickness, nor has a drop of one cell
-TEST(HeightCurvature, vanishes)
+// A film has none, whatever its thickness
+TEST(HeightCurvature, filmIsFlat)
 {
     const staggeredGrid grid({6, 6, 1}, {0.1, 0.1, 0.1}, {true, true, false});
     for (const double thickness : {0.3, 1.7, 2.0})
@@ -217,10 +217,44 @@ TEST(HeightCurvature, vanishes)
             EXPECT_NEAR(kappa[cell], 0, 1e-9);
         }
     }
-    std::vector<double> alpha(grid.nCells(), 0);
-    alpha[grid.cell({3, 3, 0})] = 0.4;
-    const heightCurvature kappa(grid, alpha);
-    EXPECT_FALSE(kappa.known(grid.cell({3, 3, 0})));
+}
+
+
+// The edges of a square along the grid, and a drop of one cell, have one between
+// 1/dx and 4/dx, the sides none; that of a hole is the opposite
+TEST(HeightCurvature, sharpEdges)
+{
+    const double dx = 0.1;
+    const staggeredGrid grid({16, 16, 1}, {dx, dx, dx}, {true, true, false});
+    for (const int n : {1, 8})
+    {
+        std::vector<double> alpha(grid.nCells(), 0), hole(grid.nCells(), 1);
+        for (int i = 4; i < 4 + n; ++i)
+        {
+            for (int j = 4; j < 4 + n; ++j)
+            {
+                alpha[grid.cell({i, j, 0})] = 1;
+                hole[grid.cell({i, j, 0})] = 0;
+            }
+        }
+        const heightCurvature kappa(grid, alpha), opposite(grid, hole);
+        const int last = 3 + n;
+        for (const int i : {4, last})
+        {
+            for (const int j : {4, last})
+            {
+                const int edge = grid.cell({i, j, 0});
+                EXPECT_GT(kappa[edge], 1/dx);
+                EXPECT_LT(kappa[edge], 4/dx);
+                EXPECT_NEAR(opposite[edge], -kappa[edge], 1e-9/dx);
+            }
+        }
+        if (n > 1)
+        {
+            EXPECT_NEAR(kappa[grid.cell({last, 8, 0})], 0, 1e-9/dx);
+            EXPECT_NEAR(kappa[grid.cell({8, 4, 0})], 0, 1e-9/dx);
+        }
+    }
 }
 
 
