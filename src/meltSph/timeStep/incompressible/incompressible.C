@@ -77,9 +77,6 @@ Foam::word Foam::melt::incompressible::fault(const scalar deltaT)
 void Foam::melt::incompressible::keepState()
 {
     const particles& f = system_.fluid;
-    before_.x = f.u;
-    before_.y = f.v;
-    before_.z = f.w;
     lastA_.x = f.ax;
     lastA_.y = f.ay;
     lastA_.z = f.az;
@@ -121,6 +118,10 @@ Foam::word Foam::melt::incompressible::kick(const scalar dt)
 
     keepState();
     equations_.evaluate();
+    // What has just become part of a solid moves with it now
+    before_.x = f.u;
+    before_.y = f.v;
+    before_.z = f.w;
     changeDensity(dt/2);
 
     // Solved for the mean velocity, over the implicit share of the step. The
