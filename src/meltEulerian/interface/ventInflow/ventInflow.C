@@ -29,6 +29,13 @@ label verticalAxis(const vector& g)
 std::vector<Foam::melt::staggeredGrid::triple>
 Foam::melt::ventInflow::columns(const vent& v) const
 {
+    if (!mesh_.box().contains(v.position()))
+    {
+        FatalIOErrorInFunction(v.dict())
+            << "Vent " << v.name() << " at " << v.position()
+            << " is not in the domain " << mesh_.box() << exit(FatalIOError);
+    }
+
     // The column that the centre is in at least
     const staggeredGrid& grid = mesh_.grid();
     const staggeredGrid::triple centre
@@ -36,12 +43,6 @@ Foam::melt::ventInflow::columns(const vent& v) const
         grid.position(mesh_.cellAt(v.position()))
     );
     std::vector<staggeredGrid::triple> result;
-    if (!mesh_.box().contains(v.position()))
-    {
-        FatalIOErrorInFunction(v.dict())
-            << "Vent " << v.name() << " at " << v.position()
-            << " is not in the domain " << mesh_.box() << exit(FatalIOError);
-    }
     const int b = (axis_ + 1) % 3, c = (axis_ + 2) % 3;
     staggeredGrid::triple at(centre);
     for (at[c] = 0; at[c] < grid.n()[c]; ++at[c])

@@ -165,7 +165,8 @@ void Foam::melt::implicitPressure::limit(timeStepControl& control) const
         f.size(),
         [&](const int i)
         {
-            const double p = solid && solid[i] ? 0 : std::max(c2*(f.rho[i] - rho0), 0.0);
+            const double p =
+                solid && solid[i] ? 0 : std::max(c2*(f.rho[i] - rho0), 0.0);
             const double pressing = std::sqrt(p/f.rho[i])/h;
             return eta.empty() ? pressing : std::min(pressing, p/eta[i]);
         }

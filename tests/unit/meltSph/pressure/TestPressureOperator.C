@@ -1,0 +1,258 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "densityLump.H"
+#include "implicitPressure.H"
+#include "meltSph/particleCloud/cloudVectors.H"
+#include "meltSph/timeStep/schemeCase.H"
+#include "pressureForce.H"
+
+#include <gtest/gtest.h>
+
+namespace Foam
+{
+namespace melt
+{
+namespace unitTest
+{
+namespace
+{
+
+//- The operator over a cloud, c = 20 m/s
+struct operatorCase
+{
+    schemeCase scheme;
+    pressureOperator pressure;
+
+    operatorCase
+    (
+        const particleCloud& cloud,
+        const scalar deltaT,
+        const bool tension = true
+    )
+    :
+        scheme(cloud, springAndDamper(1, 0)),
+        pressure(scheme.system, tension)
+    {
+        scheme.system.near = cloud.near;
+        scheme.system.walls = cloud.walls;
+        scheme.system.fluid = cloud.fluid;
+        scheme.system.soundSpeed = 20;
+        pressure.update(deltaT);
+    }
+
+    vectorArray force(const vectorArray& v, const double sources = 0)
+    {
+        vectorArray f(v.size());
+        pressure.addForce(v, sources, f);
+        return f;
+    }
+};
+
+} // End anonymous namespace
+
+
+TEST(PressureOperator, isSymmetricAndTakesEnergyAlsoAtAWall)
+{
+    particleCloud cloud(densityLump(3));
+    cloud.addWall(1, false);
+    cloud.build();
+
+    for (const bool tension : {true, false})
+    {
+        operatorCase test(cloud, 1e-3, tension);
+        const vectorArray a(randomVelocity(cloud));
+        const vectorArray b(randomVelocity(cloud));
+        const vectorArray fa(test.force(a));
+        const vectorArray fb(test.force(b));
+        EXPECT_NEAR(dot(a, fb), dot(b, fa), 1e-12*norm(a)*norm(fb));
+        EXPECT_LT(dot(a, fa), 0);
+    }
+}
+
+
+TEST(PressureOperator, workIsPressureTimesDivergence)
+{
+    particleCloud cloud(densityLump(4));
+    cloud.addWall(1, false);
+    cloud.build();
+    operatorCase test(cloud, 1e-3);
+    particles& f = test.scheme.system.fluid;
+
+    const vectorArray v(randomVelocity(cloud));
+    f.u = v.x;
+    f.v = v.y;
+    f.w = v.z;
+    std::vector<double> divergence(f.size());
+    test.pressure.divergence(divergence);
+
+    // v.f = sum V p div with p = p0 - dt rho c^2 div; walls do not see
+    // negative pressure, for which their part of both sides is left out
+    double work = 0, scale = 0;
+    const double rho0 = test.scheme.system.thermo.rho();
+    for (int i = 0; i < f.size(); ++i)
+    {
+        const double p =
+            400*(f.rho[i] - rho0) - 1e-3*f.rho[i]*400*divergence[i];
+        work += f.V[i]*p*divergence[i];
+        scale += f.V[i]*std::abs(p*divergence[i]);
+    }
+    EXPECT_NEAR(dot(v, test.force(v, 1)), work, 1e-12*scale);
+}
+
+
+// In terms of the mean w = (1 - theta) u + theta u' the pressure is still that
+// of u', at the end of the step
+TEST(PressureOperator, weightedVelocitiesGiveThePressureOfTheEnd)
+{
+    particleCloud cloud(densityLump(4));
+    cloud.addWall(1, false);
+    cloud.build();
+    const double deltaT = 1e-3, theta = 0.6;
+    const vectorArray before(randomVelocity(cloud)), end(randomVelocity(cloud));
+    vectorArray mean(end);
+    mean.multiply(std::vector<double>(end.size(), theta));
+    mean.add(1 - theta, before);
+
+    operatorCase whole(cloud, deltaT);
+    const vectorArray force(whole.force(end, 1));
+
+    operatorCase weighted(cloud, deltaT);
+    particles& f = weighted.scheme.system.fluid;
+    f.u = before.x;
+    f.v = before.y;
+    f.w = before.z;
+    weighted.pressure.divergence(f.dRho);
+    for (int i = 0; i < f.size(); ++i)
+    {
+        f.dRho[i] *= -f.rho[i];
+    }
+    weighted.scheme.system.implicitness = theta;
+    weighted.pressure.update(theta*deltaT);
+    vectorArray difference(weighted.force(mean, 1));
+    difference.add(-1, force);
+    EXPECT_LT(norm(difference), 1e-12*norm(force));
+}
+
+
+TEST(PressureOperator, keepsBothMomenta)
+{
+    particleCloud cloud(densityLump(5));
+    operatorCase test(cloud, 1e-3);
+    const particles& f = test.scheme.system.fluid;
+    const int n = f.size();
+
+    const vectorArray force(test.force(randomVelocity(cloud), 1));
+    const double scale = norm(force);
+    const auto sum = [&](auto&& value) { return blockSum(n, value); };
+    EXPECT_NEAR(sum([&](int i) { return force.x[i]; }), 0, 1e-11*scale);
+    EXPECT_NEAR(sum([&](int i) { return force.y[i]; }), 0, 1e-11*scale);
+    EXPECT_NEAR
+    (
+        sum
+        (
+            [&](int i) { return f.x[i]*force.y[i] - f.y[i]*force.x[i]; }
+        ),
+        0,
+        1e-12*scale
+    );
+}
+
+
+// Melt at rest under its own weight: the floor carries its lowest layer as the
+// melt below carries the others
+TEST(PressureOperator, floorCarriesTheWeight)
+{
+    const smoothingKernel::kernelType kernel =
+        smoothingKernel::kernelType::wendlandC2;
+    particleCloud cloud(lattice{{9, 9, 9}, 0.01, kernel, 1.3});
+    cloud.addWall(1, false);
+    cloud.build();
+
+    operatorCase test(cloud, 0);
+    sphSystem& s = test.scheme.system;
+    particles& f = s.fluid;
+    s.g = {0, -10, 0};
+    const double rho0 = s.thermo.rho();
+    for (int i = 0; i < f.size(); ++i)
+    {
+        f.rho[i] = rho0*(1 + 10*(0.09 - f.y[i])/400);
+        f.V[i] = f.m[i]/f.rho[i];
+    }
+    test.pressure.update(0);
+
+    const vectorArray force(test.force(vectorArray(f.size()), 1));
+    for (int i = 0; i < f.size(); ++i)
+    {
+        if (std::abs(f.x[i] - 0.045) < 1e-6 && std::abs(f.z[i] - 0.045) < 1e-6
+         && f.y[i] < 0.05)
+        {
+            EXPECT_NEAR(force.y[i]/(10*f.m[i]), 1, 0.03) << f.y[i];
+        }
+    }
+}
+
+
+// In a step of no length the pressure is that of the state
+TEST(PressureOperator, withoutAStepIsTheExplicitForce)
+{
+    particleCloud cloud(densityLump(6));
+    operatorCase test(cloud, 0);
+    particles& f = test.scheme.system.fluid;
+    for (int i = 0; i < f.size(); ++i)
+    {
+        f.p[i] = 400*(f.rho[i] - test.scheme.system.thermo.rho());
+        f.ax[i] = f.ay[i] = f.az[i] = 0;
+        f.m[i] = f.rho[i]*f.V[i];
+    }
+    addPressureForce(test.scheme.system.near, cloud.walls, f);
+
+    const vectorArray force(test.force(randomVelocity(cloud), 1));
+    const double scale = norm(force);
+    for (int i = 0; i < f.size(); ++i)
+    {
+        EXPECT_NEAR(force.x[i], f.m[i]*f.ax[i], 1e-12*scale);
+        EXPECT_NEAR(force.y[i], f.m[i]*f.ay[i], 1e-12*scale);
+        EXPECT_NEAR(force.z[i], f.m[i]*f.az[i], 1e-12*scale);
+    }
+}
+
+
+// The diagonal blocks are those of the operator itself
+TEST(PressureOperator, diagonalIsThatOfTheOperator)
+{
+    particleCloud cloud(densityLump(7));
+    cloud.addWall(1, false);
+    cloud.build();
+    operatorCase test(cloud, 1e-3);
+    const int n = cloud.size();
+
+    implicitOperator::blocks blocks;
+    for (std::vector<double>& component : blocks)
+    {
+        component.assign(n, 0);
+    }
+    test.pressure.addDiagonal(blocks);
+
+    for (const int i : {0, n/3, n/2, n - 1})
+    {
+        vectorArray v(n);
+        v.x[i] = 1;
+        const vectorArray f(test.force(v));
+        EXPECT_NEAR(-f.x[i]/blocks[0][i], 1, 1e-11);
+        EXPECT_NEAR(-f.y[i], blocks[1][i], 1e-11*blocks[0][i]);
+        EXPECT_NEAR(-f.z[i], blocks[2][i], 1e-11*blocks[0][i]);
+    }
+}
+
+
+// Symplectic Euler: n steps fall by g dt^2 n(n + 1)/2
+
+} // End namespace unitTest
+} // End namespace melt
+} // End namespace Foam
+
+// ************************************************************************* //
