@@ -19,11 +19,6 @@ using Foam::melt::vectorArray;
 
 constexpr int nCorners = trilinearGrid::nCorners;
 
-//- Particles that are not on a lattice see a divergence in any strain: its
-//  square over that of the strain. From 0.03 on the pressure never makes the
-//  coarse level too soft; at 0.3 iterations of viscous melts begin to grow
-constexpr double disorder = 0.1;
-
 using vector = Eigen::Vector3d;
 using elementMatrix = Eigen::Matrix<double, 3*nCorners, 3*nCorners>;
 
@@ -64,7 +59,7 @@ void addParticle
       : p.centralShare > 0 ? p.centralShare*f.eta[i]
       : 0;
     const double pressure = p.stiffness ? deltaT*V*(*p.stiffness)[i] : 0;
-    const double viscous = deltaT*V*eta + disorder*pressure;
+    const double viscous = deltaT*V*eta;
     Eigen::Matrix3d local = f.m[i]*Eigen::Matrix3d::Identity();
     if (!wallBlocks[0].empty())
     {

@@ -139,16 +139,77 @@ void Foam::melt::velocityProduct::setPairs()
 }
 
 
-template<bool adjoint, bool central>
+namespace
+{
+
+using matrix3 = std::array<std::array<double, 3>, 3>;
+
+matrix3 full(const Foam::melt::implicitParts::blocks& s, const int i)
+{
+    return
+    {{
+        {s[0][i], s[1][i], s[2][i]},
+        {s[1][i], s[3][i], s[4][i]},
+        {s[2][i], s[4][i], s[5][i]}
+    }};
+}
+
+
+//- A B, B symmetric
+matrix3 product(const matrix3& A, const matrix3& B)
+{
+    matrix3 C;
+    for (int a = 0; a < 3; ++a)
+    {
+        for (int b = 0; b < 3; ++b)
+        {
+            C[a][b] = A[a][0]*B[0][b] + A[a][1]*B[1][b] + A[a][2]*B[2][b];
+        }
+    }
+    return C;
+}
+
+
+//- Stress times L of the gradient times L; planar: nothing across the plane
+matrix3 stressL
+(
+    const matrix3& gL,
+    const matrix3& L,
+    const double eta,
+    const int dimensions
+)
+{
+    const double mean = 2*eta*(gL[0][0] + gL[1][1] + gL[2][2])/dimensions;
+    matrix3 S;
+    for (int a = 0; a < 3; ++a)
+    {
+        for (int b = 0; b < 3; ++b)
+        {
+            S[a][b] = eta*(gL[a][b] + gL[b][a]) - (a == b ? mean : 0);
+        }
+    }
+    if (dimensions == 2)
+    {
+        S[2][2] = 0;
+    }
+    return product(S, L);
+}
+
+} // End anonymous namespace
+
+
+template<bool central>
 void Foam::melt::velocityProduct::setStress(const vectorArray& v)
 {
     const particles& f = system_->fluid;
     const int n = f.size();
     const int dimensions = system_->near.kernel().dimensions();
-    const vectorArray* const viscousWall = parts_.viscousWall;
-    const vectorArray* const pressureWall = parts_.pressureWall;
-    const bool wallStress = viscousWall && viscousWall->size();
-    const bool wallPressure = pressureWall && pressureWall->size();
+    const auto at = [](const vectorArray* a, const int i)
+    {
+        return a && a->size()
+          ? std::array<double, 3>{a->x[i], a->y[i], a->z[i]}
+          : std::array<double, 3>{0, 0, 0};
+    };
 
     #pragma omp parallel for schedule(dynamic, 256)
     for (int i = 0; i < n; ++i)
@@ -158,133 +219,92 @@ void Foam::melt::velocityProduct::setStress(const vectorArray& v)
         const int count = count_[i];
         const float4 vi = load(v_[i]);
 
-        // Columns of the gradient; of the divergence alone, products
+        // Columns of the gradient
         float4 gx = all(0), gy = all(0), gz = all(0), force = all(0);
-        float divergence = 0;
         for (int k = 0; k < count; ++k)
         {
             const float4 g = load(pairs[k]);
             const float4 d = load(v_[neighbours[k]]) - vi;
-            if constexpr (adjoint)
-            {
-                gx += d*all(g[0]);
-                gy += d*all(g[1]);
-                gz += d*all(g[2]);
-            }
-            if constexpr (central || !adjoint)
+            gx += d*all(g[0]);
+            gy += d*all(g[1]);
+            gz += d*all(g[2]);
+            if constexpr (central)
             {
                 const float4 t = d*g;
-                const float s = t[0] + t[1] + t[2];
-                divergence += s;
-                if constexpr (central)
-                {
-                    force += all(s*g[3])*g;
-                }
+                force += all((t[0] + t[1] + t[2])*g[3])*g;
             }
         }
-        if constexpr (central)
-        {
-            store(central_[i], force);
-        }
 
-        const double u = v.x[i], w = v.y[i], t = v.z[i];
         const double V = f.V[i];
-        double divV =
-            adjoint ? double(gx[0]) + gy[1] + gz[2] : double(divergence);
-        divV /= V;
-        if (wallPressure)
-        {
-            divV -=
-                u*pressureWall->x[i] + w*pressureWall->y[i]
-              + t*pressureWall->z[i];
-        }
-        const double P = parts_.stiffness ? (*parts_.stiffness)[i]*divV : 0;
-        P_[i] = float(P);
+        const double u[3] = {v.x[i], v.y[i], v.z[i]};
+        double own[3] = {force[0], force[1], force[2]};
+        const matrix3 G
+        {{
+            {gx[0]/V, gy[0]/V, gz[0]/V},
+            {gx[1]/V, gy[1]/V, gz[1]/V},
+            {gx[2]/V, gy[2]/V, gz[2]/V}
+        }};
 
-        if constexpr (adjoint)
+        // Q: stress of the melt's neighbours; what walls take is own
+        matrix3 Q{};
+        if (parts_.L)
         {
-            double g[3][3] =
-            {
-                {gx[0]/V, gy[0]/V, gz[0]/V},
-                {gx[1]/V, gy[1]/V, gz[1]/V},
-                {gx[2]/V, gy[2]/V, gz[2]/V}
-            };
-            if (wallStress)
-            {
-                const double b[3] =
-                    {viscousWall->x[i], viscousWall->y[i], viscousWall->z[i]};
-                for (int a = 0; a < 3; ++a)
-                {
-                    g[0][a] -= u*b[a];
-                    g[1][a] -= w*b[a];
-                    g[2][a] -= t*b[a];
-                }
-            }
-
-            const auto& Ls = *parts_.L;
-            const double L[3][3] =
-            {
-                {Ls[0][i], Ls[1][i], Ls[2][i]},
-                {Ls[1][i], Ls[3][i], Ls[4][i]},
-                {Ls[2][i], Ls[4][i], Ls[5][i]}
-            };
-            double gL[3][3];
+            const matrix3 L = full(*parts_.L, i);
+            const std::array<double, 3> b = at(parts_.viscousWall, i);
+            matrix3 g = G;
             for (int a = 0; a < 3; ++a)
             {
-                for (int b = 0; b < 3; ++b)
+                for (int c = 0; c < 3; ++c)
                 {
-                    gL[a][b] =
-                        g[a][0]*L[0][b] + g[a][1]*L[1][b] + g[a][2]*L[2][b];
+                    g[a][c] -= u[a]*b[c];
                 }
             }
-
-            const double eta = (*parts_.eta)[i];
-            const double mean =
-                2*eta*(gL[0][0] + gL[1][1] + gL[2][2])/dimensions;
-            double S[3][3];
+            Q = stressL(product(g, L), L, (*parts_.eta)[i], dimensions);
             for (int a = 0; a < 3; ++a)
             {
-                for (int b = 0; b < 3; ++b)
-                {
-                    S[a][b] = eta*(gL[a][b] + gL[b][a]) - (a == b ? mean : 0);
-                }
-            }
-            if (dimensions == 2)
-            {
-                S[2][2] = 0;
-            }
-
-            for (int b = 0; b < 3; ++b)
-            {
-                float4 column = all(0);
-                for (int a = 0; a < 3; ++a)
-                {
-                    column[a] = float
-                    (
-                        S[a][0]*L[0][b] + S[a][1]*L[1][b] + S[a][2]*L[2][b]
-                    );
-                }
-                store(Q_[i][b], column);
+                own[a] += V*(Q[a][0]*b[0] + Q[a][1]*b[1] + Q[a][2]*b[2]);
             }
         }
+        if (parts_.stiffness)
+        {
+            const matrix3 A = full(*parts_.pressureA, i);
+            const std::array<double, 3> b = at(parts_.pressureWall, i);
+            double divergence = -u[0]*b[0] - u[1]*b[1] - u[2]*b[2];
+            for (int a = 0; a < 3; ++a)
+            {
+                divergence += G[a][0]*A[0][a] + G[a][1]*A[1][a] + G[a][2]*A[2][a];
+            }
+            const double P = (*parts_.stiffness)[i]*divergence;
+            for (int a = 0; a < 3; ++a)
+            {
+                for (int c = 0; c < 3; ++c)
+                {
+                    Q[a][c] += P*A[a][c];
+                }
+                own[a] += V*P*b[a];
+            }
+        }
+        if (!wallBlocks_[0].empty())
+        {
+            const matrix3 b = full(wallBlocks_, i);
+            for (int a = 0; a < 3; ++a)
+            {
+                own[a] -= b[a][0]*u[0] + b[a][1]*u[1] + b[a][2]*u[2];
+            }
+        }
+
+        for (int c = 0; c < 3; ++c)
+        {
+            Q_[i][c] = quad{{float(Q[0][c]), float(Q[1][c]), float(Q[2][c]), 0}};
+        }
+        own_[i] = quad{{float(own[0]), float(own[1]), float(own[2]), 0}};
     }
 }
 
 
-template<bool adjoint>
-void Foam::melt::velocityProduct::sumForces
-(
-    const vectorArray& v,
-    vectorArray& Kv
-)
+void Foam::melt::velocityProduct::sumForces(vectorArray& Kv) const
 {
-    const particles& f = system_->fluid;
-    const int n = f.size();
-    const vectorArray* const viscousWall = parts_.viscousWall;
-    const vectorArray* const pressureWall = parts_.pressureWall;
-    const bool wallStress = viscousWall && viscousWall->size();
-    const bool wallPressure = pressureWall && pressureWall->size();
-    const bool central = parts_.centralShare > 0;
+    const int n = system_->fluid.size();
 
     #pragma omp parallel for schedule(dynamic, 256)
     for (int i = 0; i < n; ++i)
@@ -293,66 +313,25 @@ void Foam::melt::velocityProduct::sumForces
         const std::int32_t* const neighbours = &neighbours_[start_[i]];
         const int count = count_[i];
 
-        float4 sum = all(P_[i])*load(sumG_[i]);
-        if constexpr (adjoint)
+        // Q_j alone in the loop, Q_i times the sum of g after it
+        float4 sum = load(own_[i]), other = all(0);
+        for (int k = 0; k < count; ++k)
         {
-            // Q_j alone in the loop, Q_i times the sum of g after it
-            float4 other = all(0);
-            for (int k = 0; k < count; ++k)
-            {
-                const float4 g = load(pairs[k]);
-                const int j = neighbours[k];
-                const std::array<quad, 3>& Q = Q_[j];
-                sum += load(Q[0])*all(g[0]);
-                other += load(Q[1])*all(g[1]);
-                sum += load(Q[2])*all(g[2]);
-                other += all(P_[j])*g;
-            }
-            const float4 g = load(sumG_[i]);
-            const std::array<quad, 3>& Q = Q_[i];
-            sum +=
-                other + load(Q[0])*all(g[0]) + load(Q[1])*all(g[1])
-              + load(Q[2])*all(g[2]);
+            const float4 g = load(pairs[k]);
+            const std::array<quad, 3>& Q = Q_[neighbours[k]];
+            sum += load(Q[0])*all(g[0]);
+            other += load(Q[1])*all(g[1]);
+            sum += load(Q[2])*all(g[2]);
         }
-        else
-        {
-            for (int k = 0; k < count; ++k)
-            {
-                sum += all(P_[neighbours[k]])*load(pairs[k]);
-            }
-        }
+        const float4 g = load(sumG_[i]);
+        const std::array<quad, 3>& Q = Q_[i];
+        sum +=
+            other + load(Q[0])*all(g[0]) + load(Q[1])*all(g[1])
+          + load(Q[2])*all(g[2]);
 
-        double x = sum[0], y = sum[1], z = sum[2];
-        const double V = f.V[i];
-        if (central)
-        {
-            const float4 c = load(central_[i]);
-            const double u = v.x[i], w = v.y[i], t = v.z[i];
-            const implicitOperator::blocks& b = wallBlocks_;
-            x += c[0] - b[0][i]*u - b[1][i]*w - b[2][i]*t;
-            y += c[1] - b[1][i]*u - b[3][i]*w - b[4][i]*t;
-            z += c[2] - b[2][i]*u - b[4][i]*w - b[5][i]*t;
-        }
-        if (adjoint && wallStress)
-        {
-            const std::array<quad, 3>& Q = Q_[i];
-            const double bx = V*viscousWall->x[i];
-            const double by = V*viscousWall->y[i];
-            const double bz = V*viscousWall->z[i];
-            x += Q[0].a[0]*bx + Q[1].a[0]*by + Q[2].a[0]*bz;
-            y += Q[0].a[1]*bx + Q[1].a[1]*by + Q[2].a[1]*bz;
-            z += Q[0].a[2]*bx + Q[1].a[2]*by + Q[2].a[2]*bz;
-        }
-        if (wallPressure)
-        {
-            const double P = V*P_[i];
-            x += P*pressureWall->x[i];
-            y += P*pressureWall->y[i];
-            z += P*pressureWall->z[i];
-        }
-        Kv.x[i] = -x;
-        Kv.y[i] = -y;
-        Kv.z[i] = -z;
+        Kv.x[i] = -double(sum[0]);
+        Kv.y[i] = -double(sum[1]);
+        Kv.z[i] = -double(sum[2]);
     }
 }
 
@@ -369,19 +348,19 @@ void Foam::melt::velocityProduct::build
 
     const int n = system.fluid.size();
     v_.resize(n);
-    P_.resize(n);
     sumG_.resize(n);
-    Q_.resize(parts_.L ? n : 0);
-    central_.resize(parts_.centralShare > 0 ? n : 0);
+    Q_.resize(n);
+    own_.resize(n);
     setPairs();
     nPairs_ = std::accumulate(count_.begin(), count_.end(), std::uint64_t(0));
 
     // What walls add to the diagonal of the central force: the rest of it
+    const bool walls =
+        !system.near.walls().empty() && parts_.centralShare > 0;
     for (std::vector<double>& component : wallBlocks_)
     {
-        component.assign(central_.size(), 0);
+        component.assign(walls ? n : 0, 0);
     }
-    const bool walls = !system.near.walls().empty() && central_.size();
 
     #pragma omp parallel for schedule(dynamic, 256)
     for (int i = 0; i < (walls ? n : 0); ++i)
@@ -422,17 +401,8 @@ void Foam::melt::velocityProduct::apply(const vectorArray& v, vectorArray& Kv)
     }
 
     system_->near.countPairs(2*nPairs_);
-    const bool central = parts_.centralShare > 0;
-    if (parts_.L)
-    {
-        central ? setStress<true, true>(v) : setStress<true, false>(v);
-        sumForces<true>(v, Kv);
-    }
-    else
-    {
-        central ? setStress<false, true>(v) : setStress<false, false>(v);
-        sumForces<false>(v, Kv);
-    }
+    parts_.centralShare > 0 ? setStress<true>(v) : setStress<false>(v);
+    sumForces(Kv);
 }
 
 
@@ -442,10 +412,10 @@ std::size_t Foam::melt::velocityProduct::bytes() const
         sizeof(quad)
        *(
             pairs_.capacity() + sumG_.capacity() + v_.capacity()
-          + central_.capacity() + 3*Q_.capacity()
+          + own_.capacity() + 3*Q_.capacity()
         )
       + sizeof(std::int32_t)
-       *(neighbours_.capacity() + count_.capacity() + P_.capacity())
+       *(neighbours_.capacity() + count_.capacity())
       + sizeof(std::size_t)*start_.capacity()
       + 6*sizeof(double)*wallBlocks_[0].capacity();
 }

@@ -28,7 +28,15 @@ Foam::melt::implicitPressure::implicitPressure
 :
     rateTerm(system),
     dict_(dict),
-    operator_(system, dict.getOrDefault("tension", true))
+    operator_
+    (
+        system,
+        dict.getOrDefault("tension", true),
+        checkedEntry::getOrDefault
+        (
+            dict, "maxCondition", dimless, checkedEntry::positive(), 8
+        )
+    )
 {
     if (dict.found("speedOfSound"))
     {

@@ -5,16 +5,19 @@
 \*---------------------------------------------------------------------------*/
 
 #include "pressureOperator.H"
+#include "latticeMoment.H"
 #include "pressureOperatorLaws.H"
 
 Foam::melt::pressureOperator::pressureOperator
 (
     const sphSystem& system,
-    const bool tension
+    const bool tension,
+    const double maxCondition
 )
 :
     system_(system),
-    tension_(tension)
+    tension_(tension),
+    maxCondition_(maxCondition)
 {}
 
 
@@ -29,6 +32,10 @@ void Foam::melt::pressureOperator::setWallGradient()
     wallWeight_.resize(n);
     const std::array<double, 3>& g = system_.g;
     const double* const solid = system_.near.solid();
+
+    // Twice, and corrected: A of particles on a lattice, as those of walls are
+    const double onLattice =
+        2/latticeMoment(system_.near.kernel(), system_.spacing);
 
     system_.near.visit([&](const auto& W, const auto& space)
     {
@@ -50,7 +57,7 @@ void Foam::melt::pressureOperator::setWallGradient()
                 double dz = f.z[i] - walls.z[j];
                 space.nearestImage(dx, dy, dz);
                 const double c =
-                    2*walls.volume[j]
+                    onLattice*walls.volume[j]
                    *W.gradientOverR(dx*dx + dy*dy + dz*dz);
                 bx += c*dx;
                 by += c*dy;
@@ -110,6 +117,7 @@ void Foam::melt::pressureOperator::update(const double deltaT)
             stiffness_[i] = 0;
         }
     }
+    gradientCorrection(system_, maxCondition_, true, A_);
     setWallGradient();
 
     // That of the density at the step's end, in terms of the mean velocity
@@ -150,14 +158,14 @@ void Foam::melt::pressureOperator::addForce
     forcePass
     (
         system_.near, system_.walls, system_.fluid,
-        divergenceLaw(v.x.data(), v.y.data(), v.z.data(), setPressure)
+        divergenceLaw(v.x.data(), v.y.data(), v.z.data(), A_, setPressure)
     );
     forcePass
     (
         system_.near, system_.walls, system_.fluid,
         pressureGradientLaw
         (
-            p_.data(), system_.fluid.V.data(), wallGradient_, force
+            p_.data(), system_.fluid.V.data(), A_, wallGradient_, force
         )
     );
     if (walls)
@@ -174,7 +182,8 @@ void Foam::melt::pressureOperator::addDiagonal(blocks& diagonal) const
         system_.near, system_.walls, system_.fluid,
         pressureBlockLaw
         (
-            stiffness_.data(), system_.fluid.V.data(), wallGradient_, diagonal
+            stiffness_.data(), system_.fluid.V.data(), A_, wallGradient_,
+            diagonal
         )
     );
 }
@@ -183,6 +192,7 @@ void Foam::melt::pressureOperator::addDiagonal(blocks& diagonal) const
 bool Foam::melt::pressureOperator::describe(implicitParts& p) const
 {
     p.stiffness = &stiffness_;
+    p.pressureA = &A_;
     p.pressureWall = &wallGradient_;
     return true;
 }
@@ -208,7 +218,7 @@ void Foam::melt::pressureOperator::divergence(std::vector<double>& div) const
     forcePass
     (
         system_.near, system_.walls, f,
-        divergenceLaw(f.u.data(), f.v.data(), f.w.data(), set)
+        divergenceLaw(f.u.data(), f.v.data(), f.w.data(), A_, set)
     );
 }
 
@@ -220,7 +230,7 @@ std::size_t Foam::melt::pressureOperator::bytes() const
       + sizeof(double)
        *(
             p0_.capacity() + p_.capacity() + stiffness_.capacity()
-          + wallDivergence_.capacity()
+          + wallDivergence_.capacity() + 6*A_[0].capacity()
         );
 }
 

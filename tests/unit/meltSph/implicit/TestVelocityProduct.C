@@ -49,7 +49,7 @@ struct productCase
                 scheme.system
             )
         ),
-        pressure(scheme.system, true)
+        pressure(scheme.system, true, 100)
     {
         scheme.system.near = cloud.near;
         scheme.system.walls = cloud.walls;

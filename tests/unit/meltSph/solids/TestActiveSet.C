@@ -38,7 +38,7 @@ struct coreCase
     :
         cloud(points),
         scene(cloud),
-        pressure(scene.system, true)
+        pressure(scene.system, true, 100)
     {
         particles& f = scene.f;
         f.require({&f.eta, &f.dH});

@@ -123,9 +123,9 @@ TEST(Incompressible, isOfFirstOrderWithASmallError)
     };
 
     // (1/8 - 1/128)/(1/32 - 1/128) = 5 if the error is one of first order
-    const double finest = spread(2e-3, 128, "1");
-    const double coarse = std::abs(spread(2e-3, 8, "1") - finest);
-    const double fine = std::abs(spread(2e-3, 32, "1") - finest);
+    const double finest = spread(4e-4, 128, "1");
+    const double coarse = std::abs(spread(4e-4, 8, "1") - finest);
+    const double fine = std::abs(spread(4e-4, 32, "1") - finest);
     EXPECT_GT(coarse/fine, 3.5);
     EXPECT_LT(coarse/fine, 8);
 
@@ -178,7 +178,7 @@ TEST(Incompressible, needsNoStoredPairs)
             numerics("1e6") + " implicit { tolerance 2e-5; storePairs "
           + storePairs + "; }"
         );
-        scheme.run(2e-3, 2);
+        scheme.run(4e-4, 2);
         OStringStream log;
         scheme.scheme->report(log);
         const std::string text(log.str());

@@ -22,6 +22,7 @@ class momentLaw
     const sphSystem* s_;
     symmetricArrays* L_;
     double maxCondition_;
+    bool boundsAsMelt_;
 
     double xx_ = 0, xy_ = 0, xz_ = 0, yy_ = 0, yz_ = 0, zz_ = 0;
 
@@ -50,12 +51,14 @@ public:
     (
         const sphSystem& s,
         const double maxCondition,
+        const bool boundsAsMelt,
         symmetricArrays& L
     )
     :
         s_(&s),
         L_(&L),
-        maxCondition_(maxCondition)
+        maxCondition_(maxCondition),
+        boundsAsMelt_(boundsAsMelt)
     {}
 
     [[gnu::always_inline]] inline void start(const int)
@@ -75,7 +78,7 @@ public:
     template<class Kernel>
     inline void addWall(const int j, const pairGeometry& p, const Kernel&)
     {
-        if (!s_->walls.slip[j])
+        if (boundsAsMelt_ || !s_->walls.slip[j])
         {
             addMoment(p);
         }
@@ -128,6 +131,7 @@ void Foam::melt::gradientCorrection
 (
     const sphSystem& system,
     const double maxCondition,
+    const bool boundsAsMelt,
     symmetricArrays& L
 )
 {
@@ -135,13 +139,21 @@ void Foam::melt::gradientCorrection
     {
         component.resize(system.fluid.size());
     }
-    forcePass
-    (
-        system.near,
-        system.walls,
-        system.fluid,
-        momentLaw(system, maxCondition, L)
-    );
+    const momentLaw law(system, maxCondition, boundsAsMelt, L);
+    if (boundsAsMelt)
+    {
+        system.near.countForcePass();
+        pairPassOf
+        (
+            [&](const int i) { return !system.near.idle(i); },
+            [](const int, const int) { return 1; },
+            system.near, system.walls, system.fluid, law
+        );
+    }
+    else
+    {
+        forcePass(system.near, system.walls, system.fluid, law);
+    }
 }
 
 // ************************************************************************* //
