@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceHeat.H"
+#include "surfaceEdge.H"
 #include "surfaceFields.H"
 #include "withOtherRanks.H"
 
@@ -41,7 +42,7 @@ class shade
 {
     const eulerianMesh& mesh_;
 
-    const std::vector<double> alpha_;
+    const std::vector<double>& alpha_;
 
     const labelList& cells_;
 
@@ -98,12 +99,12 @@ public:
     shade
     (
         const eulerianMesh& mesh,
-        const scalarField& alpha,
+        const std::vector<double>& alpha,
         const labelList& cells
     )
     :
         mesh_(mesh),
-        alpha_(mesh.onGrid(alpha)),
+        alpha_(alpha),
         cells_(cells)
     {}
 
@@ -129,6 +130,56 @@ public:
     }
 };
 
+
+//- Normal times area of the surface at a cell's free area that is normal to an
+//  axis: beside that the sum of the cell's free areas, which is that of a slope
+//  through it, without those across a true edge
+vector slope
+(
+    const eulerianMesh& mesh,
+    const std::vector<double>& alpha,
+    const label celli,
+    const vector& free,
+    const vector& sum
+)
+{
+    const staggeredGrid& grid = mesh.grid();
+    const triple c(grid.position(mesh.gridCell(celli)));
+    direction axis = 0;
+    while (free[axis] == 0)
+    {
+        ++axis;
+    }
+    const int side = free[axis] > 0 ? 1 : -1;
+
+    const auto at = [&](const int step, const direction other, const int across)
+    {
+        triple there(c);
+        there[axis] += step;
+        there[other] += across;
+        return grid.inside(there) ? alpha[grid.cell(there)] : 0;
+    };
+    vector result(free);
+    for (direction other = 0; other < 3; ++other)
+    {
+        if (other != axis && sum[other] != 0)
+        {
+            const int down = sum[other] > 0 ? 1 : -1;
+            result[other] =
+                sum[other]
+               *(
+                    1 - edgeSharpness
+                    (
+                        alpha[grid.cell(c)],
+                        at(side, other, -down),
+                        at(-side, other, down)
+                    )
+                );
+        }
+    }
+    return result;
+}
+
 } // End anonymous namespace
 
 
@@ -137,6 +188,7 @@ public:
 Foam::melt::surfaceElements Foam::melt::surfaceHeat::elements
 (
     const scalarField& alpha,
+    const std::vector<double>& alphaOnGrid,
     const scalarField& T,
     labelList& cells
 ) const
@@ -167,11 +219,9 @@ Foam::melt::surfaceElements Foam::melt::surfaceHeat::elements
     });
 
     vectorField sum(alpha.size(), Zero);
-    scalarField area(alpha.size(), 0);
     forAll(cell, i)
     {
         sum[cell[i]] += free[i];
-        area[cell[i]] += mag(free[i]);
     }
 
     surfaceElements e;
@@ -187,7 +237,8 @@ Foam::melt::surfaceElements Foam::melt::surfaceHeat::elements
         const label c = cell[i];
         e.area[i] = mag(free[i]);
         e.normal[i] = free[i]/e.area[i];
-        e.smoothArea[i] = e.area[i]*mag(sum[c])/area[c];
+        e.smoothArea[i] =
+            sqr(e.area[i])/mag(slope(mesh_, alphaOnGrid, c, free[i], sum[c]));
         const std::array<double, 3>& d = mesh_.grid().d();
         e.position[i] = mesh.C()[c]
           + (alpha[c] - 0.5)
@@ -255,10 +306,11 @@ Foam::melt::enthalpyEquation::source Foam::melt::surfaceHeat::heat
     }
 
     labelList cells;
-    const surfaceElements e(elements(alpha, T, cells));
+    const std::vector<double> alphaOnGrid(mesh_.onGrid(alpha));
+    const surfaceElements e(elements(alpha, alphaOnGrid, T, cells));
     const absorbedHeat absorbed
     (
-        sources_.heatSurface(time, e, shade(mesh_, alpha, cells))
+        sources_.heatSurface(time, e, shade(mesh_, alphaOnGrid, cells))
     );
     forAll(cells, i)
     {

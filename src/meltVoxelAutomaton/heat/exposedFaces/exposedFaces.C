@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "exposedFaces.H"
+#include "surfaceEdge.H"
 
 #include <algorithm>
 #include <cmath>
@@ -39,40 +40,81 @@ float filledAt
 }
 
 
-//- |n| / (|nx| + |ny| + |nz|) of the surface through a voxel, with the normal
-//  n = -grad(filled), by differences over its 26 neighbours
-float slant
-(
-    const voxelGrid& grid,
-    const std::array<int, 3>& v,
-    const float own
-)
+//- Filled shares of a voxel's 27 neighbours and itself, and the normal of the
+//  surface there
+struct neighbourhood
 {
-    constexpr float weight[3] = {1, 2, 1};
+    float share[3][3][3];
+
+    //- -grad(filled) by differences
     float n[3] = {0, 0, 0};
-    for (int x = 0; x < 3; ++x)
+
+    neighbourhood
+    (
+        const voxelGrid& grid,
+        const std::array<int, 3>& v,
+        const float own
+    )
     {
-        for (int y = 0; y < 3; ++y)
+        constexpr float weight[3] = {1, 2, 1};
+        for (int x = 0; x < 3; ++x)
         {
-            for (int z = 0; z < 3; ++z)
+            for (int y = 0; y < 3; ++y)
             {
-                const float f = filledAt
-                (
-                    grid, v[0] + x - 1, v[1] + y - 1, v[2] + z - 1, own
-                );
-                n[0] += (1 - x)*weight[y]*weight[z]*f;
-                n[1] += (1 - y)*weight[z]*weight[x]*f;
-                n[2] += (1 - z)*weight[x]*weight[y]*f;
+                for (int z = 0; z < 3; ++z)
+                {
+                    const float f = filledAt
+                    (
+                        grid, v[0] + x - 1, v[1] + y - 1, v[2] + z - 1, own
+                    );
+                    share[x][y][z] = f;
+                    n[0] += (1 - x)*weight[y]*weight[z]*f;
+                    n[1] += (1 - y)*weight[z]*weight[x]*f;
+                    n[2] += (1 - z)*weight[x]*weight[y]*f;
+                }
             }
         }
     }
-    const float sum = std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]);
 
-    // A sheet of one voxel has no normal, and both its sides count
-    return
-        sum > 0.1f
-      ? std::sqrt(n[0]*n[0] + n[1]*n[1] + n[2]*n[2])/sum : 1;
-}
+    //- Share of the neighbour a step along an axis and one along another away
+    float at(const int axis, const int step, const int other, const int across)
+    const
+    {
+        int c[3] = {1, 1, 1};
+        c[axis] += step;
+        c[other] += across;
+        return share[c[0]][c[1]][c[2]];
+    }
+
+    //- |n| / (|nx| + |ny| + |nz|) of the surface at a face normal to an axis. A
+    //  face at a true edge does not see the slope beyond it
+    float slant(const int axis, const int side) const
+    {
+        float sum = 0, square = 0;
+        for (int other = 0; other < 3; ++other)
+        {
+            float component = std::abs(n[other]);
+            if (other != axis && component > 0)
+            {
+                const int down = n[other] > 0 ? 1 : -1;
+                component *= 1 - edgeSharpness
+                (
+                    share[1][1][1],
+                    at(axis, side, other, -down),
+                    std::max
+                    (
+                        at(axis, -side, other, down), at(axis, 0, other, down)
+                    )
+                );
+            }
+            sum += component;
+            square += component*component;
+        }
+
+        // A sheet of one voxel has no normal, and both its sides count
+        return sum > 0.1f ? std::sqrt(square)/sum : 1;
+    }
+};
 
 
 //- Area of a free face: where the voxels behind it hold more, as at a slope
@@ -117,10 +159,13 @@ void facesOfVoxel
 {
     const std::size_t begin = free.size();
 
-    // A film on what is below has the voxel's area; what falls is a drop
+    // A film on what is below has the voxel's area; what falls is a drop; a
+    // column of voxels that are all partly filled is the side of a solid
     const bool falling =
         v[2] > 0 && grid.phase(v[0], v[1], v[2] - 1) == EMPTY;
-    const float across = falling ? std::cbrt(filled*filled) : 1;
+    const bool film = filledAt(grid, v[0], v[1], v[2] - 1, 1) >= 1;
+    const float across =
+        falling ? std::cbrt(filled*filled) : film ? 1 : filled;
     for (int side = 0; side < 6; ++side)
     {
         const std::array<int, 3> n = exposedFaces::normal(side);
@@ -138,10 +183,14 @@ void facesOfVoxel
     }
     if (free.size() > begin)
     {
-        const float factor = slant(grid, v, filledAt(grid, v[0], v[1], v[2], 0));
+        const neighbourhood around
+        (
+            grid, v, filledAt(grid, v[0], v[1], v[2], 0)
+        );
         for (std::size_t i = begin; i < free.size(); ++i)
         {
-            free[i].smooth *= factor;
+            const int side = free[i].side;
+            free[i].smooth *= around.slant(side/2, side % 2 ? 1 : -1);
         }
     }
 }

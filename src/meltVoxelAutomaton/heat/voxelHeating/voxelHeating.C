@@ -164,14 +164,14 @@ void Foam::melt::voxelHeating::giveSurface
     }
     const voxelMaterial& material = grid.material();
 
-    // The voxel itself, the one below, solids beside it, with what counts of
-    // their masses
+    // The voxel itself, the one below, solids beside and above it, with what
+    // counts of their masses
     struct part
     {
         int x, y, z;
         scalar mass;
     };
-    std::array<part, 6> parts;
+    std::array<part, 7> parts;
     int n = 0;
     scalar total = 0;
     const auto add = [&](const int x, const int y, const int z, const scalar w)
@@ -186,7 +186,7 @@ void Foam::melt::voxelHeating::giveSurface
     add(face.x, face.y, face.z, 1);
     const scalar vacant =
         1 - scalar(grid.mass(face.x, face.y, face.z))/voxelMaterial::full;
-    for (const int side : {0, 1, 2, 3, 4})
+    for (int side = 0; side < 6; ++side)
     {
         const std::array<int, 3> d = exposedFaces::normal(side);
         const int x = face.x + d[0], y = face.y + d[1], z = face.z + d[2];

@@ -39,6 +39,19 @@ voxelGrid* cube(const int n, const Temperature& T)
     return grid;
 }
 
+
+double smoothArea(voxelGrid& grid)
+{
+    exposedFaces faces;
+    faces.build(grid);
+    double sum = 0;
+    for (const exposedFace& f : faces.free)
+    {
+        sum += f.smooth;
+    }
+    return sum;
+}
+
 } // End anonymous namespace
 
 
@@ -222,6 +235,82 @@ TEST(ExposedFaces, areaOfASphere)
             EXPECT_NEAR(smooth/(4*M_PI*R*R), 1, 0.03);
             EXPECT_TRUE(faces.atSides.empty());
         }
+    }
+}
+
+
+// Flat faces, their edges and corners stand for themselves, also of sheets and
+// rods
+TEST(ExposedFaces, areaOfBoxesIsExact)
+{
+    for (const std::array<int, 3>& m :
+        {
+            std::array<int, 3>{10, 10, 10},
+            std::array<int, 3>{2, 3, 4},
+            std::array<int, 3>{5, 5, 1},
+            std::array<int, 3>{1, 1, 7}
+        })
+    {
+        voxelGrid grid({16, 16, 16}, dx, wax(dx));
+        for (int i = 0; i < m[0]*m[1]*m[2]; ++i)
+        {
+            grid.fill
+            (
+                3 + i/(m[1]*m[2]), 3 + i/m[2] % m[1], 3 + i % m[2], 1, 280
+            );
+        }
+        grid.refresh();
+        EXPECT_FLOAT_EQ
+        (
+            smoothArea(grid), 2*(m[0]*m[1] + m[1]*m[2] + m[2]*m[0])
+        );
+    }
+}
+
+
+// The staircase of a slope stands for its plane, in whole voxels
+TEST(ExposedFaces, areaOfASlope)
+{
+    for (const std::array<double, 2>& slope :
+        {
+            std::array<double, 2>{0.125, 0},
+            std::array<double, 2>{1.0/3, 0},
+            std::array<double, 2>{1, 0},
+            std::array<double, 2>{0.5, 0.25},
+            std::array<double, 2>{1, 1}
+        })
+    {
+        const int n = 32, n0 = 8, nz = 64;
+        voxelGrid grid({n, n, nz}, dx, wax(dx));
+        for (int x = 0; x < n; ++x)
+        {
+            for (int y = 0; y < n; ++y)
+            {
+                const int height = int(3.5 + slope[0]*x + slope[1]*y);
+                for (int z = 0; z < std::min(height, nz); ++z)
+                {
+                    grid.fill(x, y, z, 1, 280);
+                }
+            }
+        }
+        grid.refresh();
+        exposedFaces faces;
+        faces.build(grid);
+        double smooth = 0;
+        for (const exposedFace& f : faces.free)
+        {
+            // Whole periods of the slope, away from the sides
+            if (f.x >= 4 && f.x < 28 && f.y >= n0 && f.y < n0 + 16)
+            {
+                smooth += f.smooth;
+            }
+        }
+        const double exact =
+            24*16
+           *std::sqrt(1 + slope[0]*slope[0] + slope[1]*slope[1]);
+        std::cout << "    slope " << slope[0] << ' ' << slope[1] << ": "
+            << smooth/exact << '\n';
+        EXPECT_NEAR(smooth/exact, 1, 0.04);
     }
 }
 
