@@ -56,16 +56,9 @@ Foam::melt::enthalpyEquation::record Foam::melt::enthalpyEquation::advance
         "zeroGradient"
     );
     source walls{scalarField(h.size(), 0), scalarField(h.size(), 0)};
-    scalarField kappa(h.size());
     do
     {
-        forAll(kappa, celli)
-        {
-            const scalar liquid = curve.liquidFraction(h[celli]);
-            kappa[celli] =
-                (1 - liquid)*thermo_.kappaSolid()
-              + liquid*thermo_.kappaLiquid();
-        }
+        const scalarField kappa(conductivity(h));
         const scalarField K(conductances(alpha, kappa));
         walls.power = 0;
         walls.slope = 0;

@@ -131,54 +131,126 @@ public:
 };
 
 
-//- Normal times area of the surface at a cell's free area that is normal to an
-//  axis: beside that the sum of the cell's free areas, which is that of a slope
-//  through it, without those across a true edge
-vector slope
-(
-    const eulerianMesh& mesh,
-    const std::vector<double>& alpha,
-    const label celli,
-    const vector& free,
-    const vector& sum
-)
+//- The cells around one that has free areas
+class surroundings
 {
-    const staggeredGrid& grid = mesh.grid();
-    const triple c(grid.position(mesh.gridCell(celli)));
-    direction axis = 0;
-    while (free[axis] == 0)
-    {
-        ++axis;
-    }
-    const int side = free[axis] > 0 ? 1 : -1;
+    const staggeredGrid& grid_;
 
-    const auto at = [&](const int step, const direction other, const int across)
+    const std::vector<double>& alpha_;
+
+    const triple c_;
+
+    //- Melt so many steps along an axis, and along another, away
+    double at
+    (
+        const direction axis,
+        const int step,
+        const direction other,
+        const int across
+    ) const
     {
-        triple there(c);
+        triple there(c_);
         there[axis] += step;
         there[other] += across;
-        return grid.inside(there) ? alpha[grid.cell(there)] : 0;
-    };
-    vector result(free);
-    for (direction other = 0; other < 3; ++other)
-    {
-        if (other != axis && sum[other] != 0)
-        {
-            const int down = sum[other] > 0 ? 1 : -1;
-            result[other] =
-                sum[other]
-               *(
-                    1 - edgeSharpness
-                    (
-                        alpha[grid.cell(c)],
-                        at(side, other, -down),
-                        at(-side, other, down)
-                    )
-                );
-        }
+        return grid_.inside(there) ? alpha_[grid_.cell(there)] : 0;
     }
-    return result;
-}
+
+    //- Melt of the line of cells that goes inward from one beside, as far as it
+    //  gets fuller
+    double depth
+    (
+        const direction axis,
+        const int side,
+        const direction other,
+        const int across
+    ) const
+    {
+        double result = at(axis, 0, other, across);
+        for (int step = 1; result < 1; ++step)
+        {
+            const double behind = at(axis, -step*side, other, across);
+            if (behind <= result)
+            {
+                break;
+            }
+            result = behind;
+        }
+        return result;
+    }
+
+    //- How much of a true edge is on one side of an axis beside free area that
+    //  is normal to another
+    double edge
+    (
+        const direction axis,
+        const int side,
+        const direction other,
+        const int down
+    ) const
+    {
+        // Rounding of the fractions beside each other on a flat side
+        const double same = 0.99;
+        if
+        (
+            at(axis, 0, other, down) > 0
+         && depth(axis, side, other, down) < same*depth(axis, side, other, 0)
+        )
+        {
+            return 1;
+        }
+        return edgeSharpness
+        (
+            alpha_[grid_.cell(c_)],
+            at(axis, side, other, -down),
+            at(axis, -side, other, down)
+        );
+    }
+
+public:
+
+    surroundings
+    (
+        const staggeredGrid& grid,
+        const std::vector<double>& alpha,
+        const label cell
+    )
+    :
+        grid_(grid),
+        alpha_(alpha),
+        c_(grid.position(cell))
+    {}
+
+    //- Normal times area of the surface at free area that is normal to an axis:
+    //  beside that the sum of the cell's free areas, which is that of a slope
+    //  through it, without those across a true edge
+    vector slope(const vector& free, const vector& sum) const
+    {
+        direction axis = 0;
+        while (free[axis] == 0)
+        {
+            ++axis;
+        }
+        vector result(free);
+        for (direction other = 0; other < 3; ++other)
+        {
+            if (other != axis && sum[other] != 0)
+            {
+                result[other] =
+                    sum[other]
+                   *(
+                        1 - edge
+                        (
+                            axis,
+                            free[axis] > 0 ? 1 : -1,
+                            other,
+                            sum[other] > 0 ? 1 : -1
+                        )
+                    );
+            }
+        }
+        return result;
+    }
+};
 
 } // End anonymous namespace
 
@@ -190,6 +262,7 @@ Foam::melt::surfaceElements Foam::melt::surfaceHeat::elements
     const scalarField& alpha,
     const std::vector<double>& alphaOnGrid,
     const scalarField& T,
+    const scalarField& kappa,
     labelList& cells
 ) const
 {
@@ -231,6 +304,7 @@ Foam::melt::surfaceElements Foam::melt::surfaceHeat::elements
     e.area.setSize(n);
     e.smoothArea.setSize(n);
     e.T.setSize(n);
+    e.resistance.setSize(n, 0);
     e.free.setSize(n, true);
     forAll(cell, i)
     {
@@ -238,12 +312,22 @@ Foam::melt::surfaceElements Foam::melt::surfaceHeat::elements
         e.area[i] = mag(free[i]);
         e.normal[i] = free[i]/e.area[i];
         e.smoothArea[i] =
-            sqr(e.area[i])/mag(slope(mesh_, alphaOnGrid, c, free[i], sum[c]));
+            sqr(e.area[i])
+           /mag
+            (
+                surroundings(mesh_.grid(), alphaOnGrid, mesh_.gridCell(c))
+               .slope(free[i], sum[c])
+            );
         const std::array<double, 3>& d = mesh_.grid().d();
-        e.position[i] = mesh.C()[c]
-          + (alpha[c] - 0.5)
-           *cmptMultiply(e.normal[i], vector(d[0], d[1], d[2]));
+        const vector across(cmptMultiply(e.normal[i], vector(d[0], d[1], d[2])));
+        e.position[i] = mesh.C()[c] + (alpha[c] - 0.5)*across;
         e.T[i] = T[c];
+
+        // Heat comes to the centres of cells, half a cell behind the surface
+        if (kappa[c] > 0)
+        {
+            e.resistance[i] = 0.5*mag(across)/(kappa[c]*e.area[i]);
+        }
     }
     cells = cell;
     return e;
@@ -292,7 +376,8 @@ Foam::melt::enthalpyEquation::source Foam::melt::surfaceHeat::heat
 (
     const scalar time,
     const scalarField& alpha,
-    const scalarField& T
+    const scalarField& T,
+    const scalarField& kappa
 )
 {
     sources_.update();
@@ -307,7 +392,7 @@ Foam::melt::enthalpyEquation::source Foam::melt::surfaceHeat::heat
 
     labelList cells;
     const std::vector<double> alphaOnGrid(mesh_.onGrid(alpha));
-    const surfaceElements e(elements(alpha, alphaOnGrid, T, cells));
+    const surfaceElements e(elements(alpha, alphaOnGrid, T, kappa, cells));
     const absorbedHeat absorbed
     (
         sources_.heatSurface(time, e, shade(mesh_, alphaOnGrid, cells))

@@ -21,7 +21,13 @@ void Foam::melt::eulerianMethod::exchangeHeat(const scalar deltaT)
     (
         alpha,
         deltaT,
-        heating_->heat(time, alpha, energy_.T()),
+        heating_->heat
+        (
+            time,
+            alpha,
+            energy_.T(),
+            energy_.conductivity(alphaH_/max(alpha, SMALL))
+        ),
         alphaH_
     );
     nEnergyIterations_ += energyRecord_.iterations;

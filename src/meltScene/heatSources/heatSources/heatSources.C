@@ -96,6 +96,12 @@ Foam::melt::absorbedHeat Foam::melt::heatSources::heatSurface
             source.heatSurface(time, elements, shade, absorbed);
         }
     }
+    forAll(elements.resistance, i)
+    {
+        const scalar part = 1/(1 + elements.resistance[i]*absorbed.slope[i]);
+        absorbed.power[i] *= part;
+        absorbed.slope[i] *= part;
+    }
     return absorbed;
 }
 

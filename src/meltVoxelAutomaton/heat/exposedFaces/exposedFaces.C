@@ -40,6 +40,37 @@ float filledAt
 }
 
 
+//- Area of a free face: where the voxels behind it hold more, as at a slope
+//  that cuts several voxels, it stands for them too
+float areaOfFace
+(
+    const voxelGrid& grid,
+    const std::array<int, 3>& v,
+    const std::array<int, 3>& normal,
+    const float own
+)
+{
+    float area = own;
+    for (int step = 1; area < 1; ++step)
+    {
+        const int x = v[0] - step*normal[0];
+        const int y = v[1] - step*normal[1];
+        const int z = v[2] - step*normal[2];
+        if (!grid.inside(x, y, z))
+        {
+            break;
+        }
+        const float behind = float(grid.mass(x, y, z))/voxelMaterial::full;
+        if (behind <= area)
+        {
+            break;
+        }
+        area = behind;
+    }
+    return area;
+}
+
+
 //- Filled shares of a voxel's 27 neighbours and itself, and the normal of the
 //  surface there
 struct neighbourhood
@@ -86,26 +117,57 @@ struct neighbourhood
         return share[c[0]][c[1]][c[2]];
     }
 
-    //- |n| / (|nx| + |ny| + |nz|) of the surface at a face normal to an axis. A
-    //  face at a true edge does not see the slope beyond it
-    float slant(const int axis, const int side) const
+    //- How much of a true edge is beside a face normal to an axis, on the side
+    //  of another axis that the surface goes down to
+    float edge
+    (
+        const voxelGrid& grid,
+        const std::array<int, 3>& v,
+        const std::array<int, 3>& normal,
+        const int axis,
+        const int other
+    ) const
     {
+        // Rounding of the shares beside each other on a flat side
+        constexpr float same = 0.99f;
+        const int down = n[other] > 0 ? 1 : -1;
+        const float own = share[1][1][1], beside = at(axis, 0, other, down);
+
+        // The line of voxels beside is partly filled all the way: the edge is
+        // in them
+        std::array<int, 3> b(v);
+        b[other] += down;
+        if
+        (
+            beside > 0
+         && areaOfFace(grid, b, normal, beside)
+          < same*areaOfFace(grid, v, normal, own)
+        )
+        {
+            return 1;
+        }
+        return edgeSharpness
+        (
+            own,
+            at(axis, normal[axis], other, -down),
+            std::max(at(axis, -normal[axis], other, down), beside)
+        );
+    }
+
+    //- |n| / (|nx| + |ny| + |nz|) of the surface at a face; a face at a true
+    //  edge does not see the slope beyond it
+    float slant(const voxelGrid& grid, const exposedFace& face) const
+    {
+        const std::array<int, 3> v{face.x, face.y, face.z};
+        const std::array<int, 3> normal = exposedFaces::normal(face.side);
+        const int axis = face.side/2;
         float sum = 0, square = 0;
         for (int other = 0; other < 3; ++other)
         {
             float component = std::abs(n[other]);
             if (other != axis && component > 0)
             {
-                const int down = n[other] > 0 ? 1 : -1;
-                component *= 1 - edgeSharpness
-                (
-                    share[1][1][1],
-                    at(axis, side, other, -down),
-                    std::max
-                    (
-                        at(axis, -side, other, down), at(axis, 0, other, down)
-                    )
-                );
+                component *= 1 - edge(grid, v, normal, axis, other);
             }
             sum += component;
             square += component*component;
@@ -115,37 +177,6 @@ struct neighbourhood
         return sum > 0.1f ? std::sqrt(square)/sum : 1;
     }
 };
-
-
-//- Area of a free face: where the voxels behind it hold more, as at a slope
-//  that cuts several voxels, it stands for them too
-float areaOfFace
-(
-    const voxelGrid& grid,
-    const std::array<int, 3>& v,
-    const std::array<int, 3>& normal,
-    const float own
-)
-{
-    float area = own;
-    for (int step = 1; area < 1; ++step)
-    {
-        const int x = v[0] - step*normal[0];
-        const int y = v[1] - step*normal[1];
-        const int z = v[2] - step*normal[2];
-        if (!grid.inside(x, y, z))
-        {
-            break;
-        }
-        const float behind = float(grid.mass(x, y, z))/voxelMaterial::full;
-        if (behind <= area)
-        {
-            break;
-        }
-        area = behind;
-    }
-    return area;
-}
 
 
 void facesOfVoxel
@@ -189,8 +220,7 @@ void facesOfVoxel
         );
         for (std::size_t i = begin; i < free.size(); ++i)
         {
-            const int side = free[i].side;
-            free[i].smooth *= around.slant(side/2, side % 2 ? 1 : -1);
+            free[i].smooth *= around.slant(grid, free[i]);
         }
     }
 }

@@ -65,6 +65,18 @@ public:
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::scalar Foam::melt::voxelHeating::conductivity
+(
+    const voxelGrid& grid,
+    const exposedFace& face
+)
+{
+    return
+        grid.phase(face.x, face.y, face.z) == LIQUID
+      ? grid.material().kappaLiquid : grid.material().kappaSolid;
+}
+
+
 Foam::melt::surfaceElements Foam::melt::voxelHeating::elements
 (
     const voxelGrid& grid
@@ -80,6 +92,7 @@ Foam::melt::surfaceElements Foam::melt::voxelHeating::elements
     e.area.resize(n);
     e.smoothArea.resize(n);
     e.T.resize(n);
+    e.resistance.resize(n);
     e.free.resize(n);
 
     #pragma omp parallel for
@@ -98,6 +111,16 @@ Foam::melt::surfaceElements Foam::melt::voxelHeating::elements
         e.area[i] = f.area*face;
         e.smoothArea[i] = f.smooth*face;
         e.T[i] = grid.T(f.x, f.y, f.z);
+
+        // Heat comes to the centre of a voxel, half a voxel behind the face of
+        // a full one. That of a film comes to the voxel behind it, too
+        // (giveSurface), as if its centre were that much nearer
+        const scalar kappa = conductivity(grid, f);
+        const scalar behind =
+            scalar(grid.mass(f.x, f.y, f.z))/voxelMaterial::full - 0.5;
+        e.resistance[i] =
+            kappa > 0 && behind > 0
+          ? behind*frame_.dx()/(kappa*e.area[i]) : 0;
         e.free[i] = i < nFree;
     }
     return e;
@@ -111,16 +134,14 @@ void Foam::melt::voxelHeating::addWalls
     absorbedHeat& absorbed
 ) const
 {
-    const voxelMaterial& material = grid.material();
     label i = label(faces_.free.size());
     for (const exposedFace& f : faces_.atSides)
     {
         const voxelWalls::contact c = walls_.at(f.side, f.x, f.y, f.z);
-        const scalar kappa =
-            grid.phase(f.x, f.y, f.z) == LIQUID
-          ? material.kappaLiquid : material.kappaSolid;
+        const scalar inner = 2*conductivity(grid, f)/frame_.dx();
         const scalar hA =
-            (c.h < 0 ? 2*kappa/frame_.dx() : c.h)*elements.area[i];
+            (c.h < 0 ? inner : c.h > 0 ? inner*c.h/(inner + c.h) : 0)
+           *elements.area[i];
         absorbed.power[i] += hA*(c.T - elements.T[i]);
         absorbed.slope[i] += hA;
         ++i;

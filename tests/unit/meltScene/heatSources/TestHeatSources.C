@@ -180,6 +180,22 @@ TEST(Oven, convectsAndRadiates)
 }
 
 
+// Half a cell of melt before the surface: h and kappa/d in series
+TEST(Oven, behindAResistance)
+{
+    surfaceElements e(plate(1, 4, 400));
+    const scalar h = 20, kappa = 0.5, d = 0.01;
+    e.resistance = d/(kappa*e.smoothArea);
+    const absorbedHeat absorbed
+    (
+        heat("a { type oven; temperature 500; h 20; }", e)
+    );
+    const scalar inSeries = 1/(1/h + d/kappa);
+    EXPECT_NEAR(sum(absorbed.power), inSeries*100, 1e-9);
+    EXPECT_NEAR(sum(absorbed.slope), inSeries, 1e-11);
+}
+
+
 TEST(HotPlate, heatsWhatIsInItsBox)
 {
     surfaceElements e(plate(1, 10, 300));
