@@ -268,6 +268,24 @@ TEST(ExposedFaces, areaOfBoxesIsExact)
 }
 
 
+// The same with sides within voxels, here in their middle
+TEST(ExposedFaces, areaOfABoxWithinVoxelsIsExact)
+{
+    voxelGrid grid({12, 12, 12}, dx, wax(dx));
+    const auto share = [](const int i)
+    {
+        return i == 0 || i == 5 ? 0.5 : 1.0;
+    };
+    for (int i = 0; i < 6*6*6; ++i)
+    {
+        const int x = i/36, y = i/6 % 6, z = i % 6;
+        grid.fill(3 + x, 3 + y, 3 + z, share(x)*share(y)*share(z), 280);
+    }
+    grid.refresh();
+    EXPECT_FLOAT_EQ(smoothArea(grid), 6*5*5);
+}
+
+
 // The staircase of a slope stands for its plane, in whole voxels
 TEST(ExposedFaces, areaOfASlope)
 {
