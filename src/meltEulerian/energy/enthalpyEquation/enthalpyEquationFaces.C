@@ -9,25 +9,6 @@
 #include "surfaceFields.H"
 #include "withOtherRanks.H"
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::scalarField Foam::melt::enthalpyEquation::conductivity
-(
-    const scalarField& h
-) const
-{
-    const enthalpyCurve curve(thermo_.enthalpy());
-    scalarField kappa(h.size());
-    forAll(kappa, celli)
-    {
-        const scalar liquid = curve.liquidFraction(h[celli]);
-        kappa[celli] =
-            (1 - liquid)*thermo_.kappaSolid() + liquid*thermo_.kappaLiquid();
-    }
-    return kappa;
-}
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::scalarField Foam::melt::enthalpyEquation::conductances

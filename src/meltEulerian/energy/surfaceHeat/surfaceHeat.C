@@ -5,8 +5,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceHeat.H"
-#include "surfaceEdge.H"
 #include "surfaceFields.H"
+#include "surfaceSlope.H"
 #include "withOtherRanks.H"
 
 #include <cmath>
@@ -130,128 +130,6 @@ public:
     }
 };
 
-
-//- The cells around one that has free areas
-class surroundings
-{
-    const staggeredGrid& grid_;
-
-    const std::vector<double>& alpha_;
-
-    const triple c_;
-
-    //- Melt so many steps along an axis, and along another, away
-    double at
-    (
-        const direction axis,
-        const int step,
-        const direction other,
-        const int across
-    ) const
-    {
-        triple there(c_);
-        there[axis] += step;
-        there[other] += across;
-        return grid_.inside(there) ? alpha_[grid_.cell(there)] : 0;
-    }
-
-    //- Melt of the line of cells that goes inward from one beside, as far as it
-    //  gets fuller
-    double depth
-    (
-        const direction axis,
-        const int side,
-        const direction other,
-        const int across
-    ) const
-    {
-        double result = at(axis, 0, other, across);
-        for (int step = 1; result < 1; ++step)
-        {
-            const double behind = at(axis, -step*side, other, across);
-            if (behind <= result)
-            {
-                break;
-            }
-            result = behind;
-        }
-        return result;
-    }
-
-    //- How much of a true edge is on one side of an axis beside free area that
-    //  is normal to another
-    double edge
-    (
-        const direction axis,
-        const int side,
-        const direction other,
-        const int down
-    ) const
-    {
-        // Rounding of the fractions beside each other on a flat side
-        const double same = 0.99;
-        if
-        (
-            at(axis, 0, other, down) > 0
-         && depth(axis, side, other, down) < same*depth(axis, side, other, 0)
-        )
-        {
-            return 1;
-        }
-        return edgeSharpness
-        (
-            alpha_[grid_.cell(c_)],
-            at(axis, side, other, -down),
-            at(axis, -side, other, down)
-        );
-    }
-
-public:
-
-    surroundings
-    (
-        const staggeredGrid& grid,
-        const std::vector<double>& alpha,
-        const label cell
-    )
-    :
-        grid_(grid),
-        alpha_(alpha),
-        c_(grid.position(cell))
-    {}
-
-    //- Normal times area of the surface at free area that is normal to an axis:
-    //  beside that the sum of the cell's free areas, which is that of a slope
-    //  through it, without those across a true edge
-    vector slope(const vector& free, const vector& sum) const
-    {
-        direction axis = 0;
-        while (free[axis] == 0)
-        {
-            ++axis;
-        }
-        vector result(free);
-        for (direction other = 0; other < 3; ++other)
-        {
-            if (other != axis && sum[other] != 0)
-            {
-                result[other] =
-                    sum[other]
-                   *(
-                        1 - edge
-                        (
-                            axis,
-                            free[axis] > 0 ? 1 : -1,
-                            other,
-                            sum[other] > 0 ? 1 : -1
-                        )
-                    );
-            }
-        }
-        return result;
-    }
-};
-
 } // End anonymous namespace
 
 
@@ -315,11 +193,12 @@ Foam::melt::surfaceElements Foam::melt::surfaceHeat::elements
             sqr(e.area[i])
            /mag
             (
-                surroundings(mesh_.grid(), alphaOnGrid, mesh_.gridCell(c))
-               .slope(free[i], sum[c])
+                surfaceSlope(mesh_.grid(), alphaOnGrid, mesh_.gridCell(c))
+               .at(free[i], sum[c])
             );
         const std::array<double, 3>& d = mesh_.grid().d();
-        const vector across(cmptMultiply(e.normal[i], vector(d[0], d[1], d[2])));
+        const vector size(d[0], d[1], d[2]);
+        const vector across(cmptMultiply(e.normal[i], size));
         e.position[i] = mesh.C()[c] + (alpha[c] - 0.5)*across;
         e.T[i] = T[c];
 
