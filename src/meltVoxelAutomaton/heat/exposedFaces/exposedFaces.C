@@ -87,6 +87,18 @@ struct neighbourhood
         const float own
     )
     {
+        // As in a mirror where there is rock, or a wall
+        int step[3][3];
+        for (int k = 0; k < 3; ++k)
+        {
+            for (const int d : {-1, 0, 1})
+            {
+                std::array<int, 3> b(v);
+                b[k] += d;
+                step[k][d + 1] = grid.phase(b[0], b[1], b[2]) == ROCK ? 0 : d;
+            }
+        }
+
         constexpr float weight[3] = {1, 2, 1};
         for (int x = 0; x < 3; ++x)
         {
@@ -96,7 +108,11 @@ struct neighbourhood
                 {
                     const float f = filledAt
                     (
-                        grid, v[0] + x - 1, v[1] + y - 1, v[2] + z - 1, own
+                        grid,
+                        v[0] + step[0][x],
+                        v[1] + step[1][y],
+                        v[2] + step[2][z],
+                        own
                     );
                     share[x][y][z] = f;
                     n[0] += (1 - x)*weight[y]*weight[z]*f;

@@ -154,6 +154,45 @@ TEST(VoxelAutomaton, coolsToAirAndFloorButNotBeyondThem)
 }
 
 
+// A wall and air with h: in series with half a voxel of melt
+TEST(VoxelAutomaton, halfAVoxelConductsBeforeASurface)
+{
+    sceneCase c;
+    const scalar h = 20, Ta = 400, dx = 0.05, dt = 1e-3;
+    const scalar floor = 0.4*0.4, sides = 4*0.4*0.1 + 0.4*0.4;
+    for (const bool air : {false, true})
+    {
+        setScene
+        (
+            c,
+            shapes(false),
+            air ? "heatSources { air { type oven; temperature 400; h 20; } }" : ""
+        );
+        c.setBoundary
+        (
+            "T",
+            air ? "\".*\" { type zeroGradient; }"
+          : "\".*\" { type zeroGradient; } zMin { type"
+            " externalWallHeatFluxTemperature; mode coefficient; h uniform 20;"
+            " Ta constant 400; }"
+        );
+        const meltScene scene(c.mesh(), dx);
+        voxelAutomatonMethod method(c.mesh(), scene);
+        const scalar T = method.diagnostics().maxT;
+        method.advance(dt);
+        const scalar inSeries =
+            1/(1/h + 0.5*dx/scene.thermo().kappaSolid());
+        EXPECT_NEAR
+        (
+            method.diagnostics().heatIn
+           /(inSeries*(air ? sides : floor)*(Ta - T)*dt),
+            1,
+            1e-3
+        );
+    }
+}
+
+
 TEST(VoxelAutomaton, wrongInputIsRefusedAndTheRangeNamed)
 {
     sceneCase c;
