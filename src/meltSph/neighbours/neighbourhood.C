@@ -42,6 +42,7 @@ void Foam::melt::neighbourhood::setWalls(wallState& walls)
     permute(walls.slip);
     permute(walls.patch);
     permute(walls.face);
+    permute(walls.otherPatches);
 }
 
 

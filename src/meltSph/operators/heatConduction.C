@@ -14,8 +14,7 @@ double Foam::melt::heatConduction
     const wallState& walls,
     const double uniformKappa,
     const double spacing,
-    particles& f,
-    const double correction
+    particles& f
 )
 {
     std::vector<double> fromWalls(f.size());
@@ -27,8 +26,7 @@ double Foam::melt::heatConduction
             near, walls, f,
             conductionLaw<true>
             (
-                f, walls, uniformKappa, spacing, correction,
-                fromWalls.data()
+                f, walls, uniformKappa, spacing, fromWalls.data()
             )
         );
     }
@@ -39,8 +37,7 @@ double Foam::melt::heatConduction
             near, walls, f,
             conductionLaw<false>
             (
-                f, walls, uniformKappa, spacing, correction,
-                fromWalls.data()
+                f, walls, uniformKappa, spacing, fromWalls.data()
             )
         );
     }

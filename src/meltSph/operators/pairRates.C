@@ -60,7 +60,7 @@ double Foam::melt::pairRates::add
     const xsphLaw smoothingLaw(f, epsilon);
     const conductionLaw<true> heatLaw
     (
-        f, walls, kappa, spacing, correction, fromWalls.data()
+        f, walls, kappa, spacing, fromWalls.data()
     );
 
     const auto pass = [&](const auto&... laws)
@@ -94,7 +94,7 @@ double Foam::melt::pairRates::add
 
     if (conduction && !uniform)
     {
-        return heatConduction(near, walls, kappa, spacing, f, correction);
+        return heatConduction(near, walls, kappa, spacing, f);
     }
     return blockSum
     (

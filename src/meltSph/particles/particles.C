@@ -13,7 +13,7 @@ std::vector<Foam::melt::particles::array*> Foam::melt::particles::arrays()
         &x, &y, &z, &u, &v, &w, &rho, &h, &m,
         &ax, &ay, &az, &dRho, &dH, &du, &dv, &dw,
         &axOld, &ayOld, &azOld, &dRhoOld, &dHOld,
-        &V, &T, &kappa, &p, &eta
+        &V, &T, &kappa, &conductionScale, &p, &eta
     };
     for (array& component : S)
     {

@@ -137,11 +137,16 @@ namespace
         )
         {
             const vector n(surface.normal(farthest));
-            builder.add
-            (
-                {p, n, n & origin, volume, farthest},
-                leastDistance*builder.spacing()
-            );
+            wallParticleBuilder::site s{p, n, n & origin, volume, farthest};
+            label others = 0;
+            for (const label facei : faces)
+            {
+                if (facei != farthest)
+                {
+                    s.otherFaces[others++] = facei;
+                }
+            }
+            builder.add(s, leastDistance*builder.spacing());
         }
     }
 }

@@ -140,6 +140,11 @@ bool Foam::melt::wallParticleBuilder::add(const site& s, const scalar distance)
     const polyBoundaryMesh& patches = surface_.mesh().boundaryMesh();
     const label meshFace = surface_.meshFace(s.face);
     const label patchi = patches.whichPatch(meshFace);
+    const auto patchOf = [&](const label facei)
+    {
+        return
+            facei < 0 ? -1 : patches.whichPatch(surface_.meshFace(facei));
+    };
 
     grid_.insert({cellOf(cellOf(p)), particles_.size()});
 
@@ -153,6 +158,10 @@ bool Foam::melt::wallParticleBuilder::add(const site& s, const scalar distance)
     particles_.volume.push_back(s.volume);
     particles_.patch.push_back(patchi);
     particles_.face.push_back(patches[patchi].whichFace(meshFace));
+    particles_.otherPatches.push_back
+    (
+        {patchOf(s.otherFaces[0]), patchOf(s.otherFaces[1])}
+    );
 
     return true;
 }

@@ -20,6 +20,7 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "artificialViscosity.H"
+#include "conductionScale.H"
 #include "heatConduction.H"
 #include "pairCeiling.H"
 #include "pressureForce.H"
@@ -100,6 +101,7 @@ int main(int argc, char* argv[])
         0
     );
     near.build(f, walls);
+    conductionScale(near.kernel(), 1).update(near, walls, 1, f);
 
     const double nPairs = double(near.fluid().nPairs());
     std::printf
@@ -117,6 +119,10 @@ int main(int argc, char* argv[])
         {"artificialViscosity", [&]{ addArtificialViscosity(near, 0.1, 1, 20, f); }},
         {"xsphVelocity", [&]{ xsphVelocity(near, 0.5, f); }},
         {"heatConduction", [&]{ heatConduction(near, walls, 1, 1, f); }},
+        {"conductionScale", [&]
+            {
+                conductionScale(near.kernel(), 1).update(near, walls, 1, f);
+            }},
         {"list build", [&]{ near.build(f, walls); }}
     };
 

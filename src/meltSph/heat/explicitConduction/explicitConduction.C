@@ -7,7 +7,6 @@
 #include "explicitConduction.H"
 #include "addToRunTimeSelectionTable.H"
 #include "conductivity.H"
-#include "latticeMoment.H"
 
 namespace Foam
 {
@@ -25,20 +24,19 @@ Foam::melt::explicitConduction::explicitConduction
     sphSystem& system
 )
 :
-    rateTerm(system)
+    rateTerm(system),
+    scale_(system.near.kernel(), system.spacing)
 {
     system_.pairs.conduction = true;
     system_.pairs.kappa = system_.thermo.kappaSolid();
     system_.pairs.spacing = system_.spacing;
-    system_.pairs.correction =
-        1/latticeMoment(system_.near.kernel(), system_.spacing);
 }
 
 
 void Foam::melt::explicitConduction::allocate()
 {
     particles& f = system_.fluid;
-    f.require({&f.dH});
+    f.require({&f.dH, &f.conductionScale});
     if (!uniformConductivity(system_.thermo))
     {
         f.require({&f.kappa});
@@ -52,6 +50,10 @@ void Foam::melt::explicitConduction::prepare()
     {
         setConductivity(system_.thermo, system_.fluid);
     }
+    scale_.update
+    (
+        system_.near, system_.walls, system_.pairs.kappa, system_.fluid
+    );
 }
 
 
@@ -60,7 +62,7 @@ void Foam::melt::explicitConduction::limit(timeStepControl& control) const
     const double h = system_.near.kernel().h();
     const enthalpyCurve& curve = system_.thermo.enthalpy();
     const double kappa =
-        system_.pairs.correction
+        scale_.inside()
        *max(system_.thermo.kappaSolid(), system_.thermo.kappaLiquid());
     const double Cp = min(curve.CpSolid, curve.CpLiquid);
 

@@ -13,17 +13,18 @@ void Foam::melt::conductionOperator::choose(const Pass& pass) const
     const particles& f = system_.fluid;
     if (f.kappa.empty())
     {
-        pass(conductionCoefficient<true>(f, kappa_, correction_));
+        pass(conductionCoefficient<true>(f, kappa_));
     }
     else
     {
-        pass(conductionCoefficient<false>(f, kappa_, correction_));
+        pass(conductionCoefficient<false>(f, kappa_));
     }
 }
 
 
 void Foam::melt::conductionOperator::update()
 {
+    scale_.update(system_.near, system_.walls, kappa_, system_.fluid);
     const particles& f = system_.fluid;
     wall_.resize(f.size());
     fromWalls_.resize(f.size());

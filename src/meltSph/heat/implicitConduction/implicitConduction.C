@@ -8,7 +8,6 @@
 #include "addToRunTimeSelectionTable.H"
 #include "checkedEntry.H"
 #include "dimensionSets.H"
-#include "latticeMoment.H"
 
 namespace Foam
 {
@@ -57,8 +56,7 @@ Foam::melt::implicitConduction::implicitConduction
     (
         system,
         system.thermo.enthalpy().solidus,
-        system.thermo.kappaSolid(),
-        1/latticeMoment(system.near.kernel(), system.spacing)
+        system.thermo.kappaSolid()
     )
 {}
 

@@ -36,14 +36,26 @@ void Foam::melt::sphMethod::makeWalls()
         mesh_.bounds()
     );
 
+    const auto isAdiabatic = [&](const label patchi)
+    {
+        return
+            conditions[patchi].thermal
+         == wallCondition::thermalType::adiabatic;
+    };
+
     const label n = label(walls.size());
     for (label i = 0; i < n; ++i)
     {
         const wallCondition& condition = conditions[walls.patch[i]];
         const label facei = walls.face[i];
         const vector& U = condition.U[facei];
-        const bool adiabatic =
-            condition.thermal == wallCondition::thermalType::adiabatic;
+        // Heat passes a wall where there is melt before it: behind an edge with
+        // an adiabatic wall there is none
+        bool adiabatic = isAdiabatic(walls.patch[i]);
+        for (const int other : walls.otherPatches[i])
+        {
+            adiabatic |= other >= 0 && isAdiabatic(other);
+        }
         const bool convective =
             condition.thermal == wallCondition::thermalType::convective;
 

@@ -166,8 +166,7 @@ TEST(ImplicitConduction, agreesWithExplicitConduction)
         conductor reference(heated(3), material);
         particles& f = reference.system.fluid;
         f.dH.resize(f.size());
-        const double correction =
-            1/latticeMoment(reference.system.near.kernel(), 0.01);
+        conductionScale scale(reference.system.near.kernel(), 0.01);
         const int nExplicit = 400;
         for (int step = 0; step < nExplicit; ++step)
         {
@@ -175,10 +174,13 @@ TEST(ImplicitConduction, agreesWithExplicitConduction)
             {
                 setConductivity(reference.thermo, f);
             }
+            scale.update
+            (
+                reference.system.near, reference.system.walls, 0.4, f
+            );
             heatConduction
             (
-                reference.system.near, reference.system.walls, 0.4, 0.01, f,
-                correction
+                reference.system.near, reference.system.walls, 0.4, 0.01, f
             );
             for (int i = 0; i < f.size(); ++i)
             {

@@ -4,6 +4,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
+#include "conductionScale.H"
 #include "heatConduction.H"
 #include "meltSph/particleCloud/particleCloud.H"
 #include "meltUnitTests.H"
@@ -33,6 +34,10 @@ void expectBounds(particleCloud& cloud, const double share, const bool spots)
         T = cloud.random(cold, hot);
         T = spots ? (T > 395 ? hot : cold) : T;
     }
+    conductionScale(cloud.near.kernel(), cloud.points().spacing).update
+    (
+        cloud.near, cloud.walls, kappa, f
+    );
 
     const double h = cloud.points().h();
     const double dt = share*h*h*1000*Cp/kappa;

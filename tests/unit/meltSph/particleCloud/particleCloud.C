@@ -33,6 +33,7 @@ Foam::melt::unitTest::particleCloud::particleCloud
         a->resize(f.size());
     }
     f.kappa.clear();
+    f.conductionScale.assign(f.size(), 1);
 
     for (int i = 0; i < f.size(); ++i)
     {
@@ -186,6 +187,7 @@ void Foam::melt::unitTest::particleCloud::addWall
                 walls.volume.push_back(lattice_.particleVolume());
                 walls.patch.push_back(2*axis + upper);
                 walls.face.push_back(0);
+                walls.otherPatches.push_back({-1, -1});
             }
         }
     }

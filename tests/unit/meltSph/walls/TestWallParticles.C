@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallParticleChecks.H"
+#include "HashSet.H"
 #include "SubField.H"
 #include "transform.H"
 
@@ -164,6 +165,43 @@ TEST(WallParticles, patchAndFaceAreThoseOfTheFoot)
             EXPECT_LT(distance, 1e-14);
         }
     }
+}
+
+
+// The walls of a box that a particle is behind are those it is outside of
+TEST(WallParticles, behindEdgesAndCornersAreSeveralWalls)
+{
+    const autoPtr<polyMesh> mesh
+    (
+        boxMesh(labelVector(2, 2, 2), vector(0.1, 0.1, 0.1))
+    );
+    const wallParticles w(particlesOf(mesh(), 0.01));
+
+    std::size_t several = 0;
+    for (std::size_t i = 0; i < w.size(); ++i)
+    {
+        labelHashSet expected;
+        for (const polyPatch& patch : mesh->boundaryMesh())
+        {
+            const vector outwards(patch.faceAreas()[0]);
+            if (((position(w, i) - patch.faceCentres()[0]) & outwards) > 0)
+            {
+                expected.insert(patch.index());
+            }
+        }
+        labelHashSet behind;
+        behind.insert(w.patch[i]);
+        for (const int other : w.otherPatches[i])
+        {
+            if (other >= 0)
+            {
+                behind.insert(other);
+            }
+        }
+        EXPECT_EQ(behind, expected);
+        several += behind.size() > 1;
+    }
+    EXPECT_GT(several, 12*10u);
 }
 
 
