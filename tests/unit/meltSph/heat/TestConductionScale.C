@@ -76,7 +76,10 @@ double scaleAt(const particleCloud& cloud, const vector3& x)
     double least = std::numeric_limits<double>::max();
     for (int i = 0; i < f.size(); ++i)
     {
-        const double d = std::hypot(f.x[i] - x[0], f.y[i] - x[1], f.z[i] - x[2]);
+        const double d = std::hypot
+        (
+            f.x[i] - x[0], f.y[i] - x[1], f.z[i] - x[2]
+        );
         if (d < least)
         {
             least = d;
@@ -127,8 +130,8 @@ TEST(ConductionScale, isThatOfTheLatticeInside)
 }
 
 
-// A plate of two layers, a thread of four particles, in the plane a strip of two
-// rows have but one kind of particle: exact
+// A plate of two layers, a thread of four particles, in the plane a strip of
+// two rows have but one kind of particle: exact
 TEST(ConductionScale, thinBodiesConductAsTheyShould)
 {
     for (const kernelChoice& kernel : kernels)
