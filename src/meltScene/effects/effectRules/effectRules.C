@@ -145,6 +145,17 @@ verdict latentHeat(const meltScene& scene)
 }
 
 
+verdict particleShifting(const meltScene&)
+{
+    return
+    {
+        false,
+        "on is for melt that strains for long; the method has its coefficients",
+        "-"
+    };
+}
+
+
 verdict phaseChange(const meltScene& scene)
 {
     const melt::enthalpyCurve& curve = scene.thermo().enthalpy();
@@ -238,6 +249,7 @@ rule rules[] =
     {"heatConduction", nullptr, heatConduction},
     {"heatSources", nullptr, heatSources},
     {"latentHeat", "heatConduction", latentHeat},
+    {"particleShifting", nullptr, particleShifting},
     {"phaseChange", "heatConduction", phaseChange},
     {"rigidSolids", nullptr, rigidSolids},
     {"surfaceHeatLoss", "heatSources", surfaceHeatLoss},

@@ -110,7 +110,10 @@ void Foam::melt::sphMethod::bindFields()
     }
     if (!f.du.empty())
     {
-        cloud_.addVector("UXSPH", f.du, f.dv, f.dw, false);
+        cloud_.addVector
+        (
+            system_.pairs.xsph ? "UXSPH" : "UShift", f.du, f.dv, f.dw, false
+        );
     }
     if (!f.eta.empty())
     {

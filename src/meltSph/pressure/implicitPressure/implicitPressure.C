@@ -28,6 +28,13 @@ Foam::melt::implicitPressure::implicitPressure
 :
     rateTerm(system),
     dict_(dict),
+    background_
+    (
+        checkedEntry::getOrDefault
+        (
+            dict, "background", dimPressure, checkedEntry::notNegative(), 0
+        )
+    ),
     operator_
     (
         system,
@@ -35,7 +42,8 @@ Foam::melt::implicitPressure::implicitPressure
         checkedEntry::getOrDefault
         (
             dict, "maxCondition", dimless, checkedEntry::positive(), 8
-        )
+        ),
+        background_
     )
 {
     if (dict.found("speedOfSound"))
@@ -105,11 +113,12 @@ void Foam::melt::implicitPressure::prepare()
     const int n = f.size();
     const double rho0 = system_.thermo.rho();
     const double c = system_.soundSpeed;
+    const double background = background_;
 
     #pragma omp parallel for simd schedule(static)
     for (int i = 0; i < n; ++i)
     {
-        f.p[i] = c*c*(f.rho[i] - rho0);
+        f.p[i] = c*c*(f.rho[i] - rho0) + background;
     }
 
     // For the density of the velocities that lead here
@@ -174,7 +183,8 @@ void Foam::melt::implicitPressure::limit(timeStepControl& control) const
         [&](const int i)
         {
             const double p =
-                solid && solid[i] ? 0 : std::max(c2*(f.rho[i] - rho0), 0.0);
+                solid && solid[i] ? 0
+              : std::max(c2*(f.rho[i] - rho0) + background_, 0.0);
             const double pressing = std::sqrt(p/f.rho[i])/h;
             return eta.empty() ? pressing : std::min(pressing, p/eta[i]);
         }

@@ -12,12 +12,14 @@ Foam::melt::pressureOperator::pressureOperator
 (
     const sphSystem& system,
     const bool tension,
-    const double maxCondition
+    const double maxCondition,
+    const double background
 )
 :
     system_(system),
     tension_(tension),
-    maxCondition_(maxCondition)
+    maxCondition_(maxCondition),
+    background_(background)
 {}
 
 
@@ -103,7 +105,7 @@ void Foam::melt::pressureOperator::update(const double deltaT)
     #pragma omp parallel for simd schedule(static)
     for (int i = 0; i < n; ++i)
     {
-        const double p = c2*(f.rho[i] - rho0);
+        const double p = c2*(f.rho[i] - rho0) + background_;
         const bool on = tension_ || p >= 0;
         p0_[i] = on ? p : 0;
         stiffness_[i] = on ? deltaT*f.rho[i]*c2 : 0;

@@ -34,7 +34,14 @@ Foam::melt::linearEquationOfState::linearEquationOfState
             dict, "speedOfSound", dimVelocity, checkedEntry::positive()
         )
     ),
-    tension_(dict.getOrDefault("tension", false))
+    tension_(dict.getOrDefault("tension", false)),
+    background_
+    (
+        checkedEntry::getOrDefault
+        (
+            dict, "background", dimPressure, checkedEntry::notNegative(), 0
+        )
+    )
 {
     system_.soundSpeed = c_;
     system_.pairs.pressure = true;
@@ -47,11 +54,12 @@ void Foam::melt::linearEquationOfState::prepare()
     const int n = f.size();
     const double rho0 = system_.thermo.rho();
     const double lowest = tension_ ? -GREAT : 0;
+    const double background = background_;
 
     #pragma omp parallel for simd schedule(static)
     for (int i = 0; i < n; ++i)
     {
-        f.p[i] = std::max(lowest, c_*c_*(f.rho[i] - rho0));
+        f.p[i] = std::max(lowest, c_*c_*(f.rho[i] - rho0) + background);
     }
 }
 

@@ -224,6 +224,32 @@ void Foam::melt::incompressible::drift(const scalar dt)
 }
 
 
+void Foam::melt::incompressible::shift(const scalar dt)
+{
+    particles& f = system_.fluid;
+    const int n = int(f.du.size());
+    if (n == 0)
+    {
+        return;
+    }
+
+    double longest2 = 0;
+    #pragma omp parallel for schedule(static) reduction(max:longest2)
+    for (int i = 0; i < n; ++i)
+    {
+        const double dx = dt*f.du[i];
+        const double dy = dt*f.dv[i];
+        const double dz = dt*f.dw[i];
+        longest2 = std::max(longest2, dx*dx + dy*dy + dz*dz);
+        f.x[i] += dx;
+        f.y[i] += dy;
+        f.z[i] += dz;
+    }
+    wallContacts_ += keepInFrontOfWalls(system_.near, system_.walls, f);
+    updateNeighbours(std::sqrt(longest2));
+}
+
+
 void Foam::melt::incompressible::heat(const scalar dt)
 {
     particles& f = system_.fluid;
@@ -250,6 +276,7 @@ Foam::word Foam::melt::incompressible::step(const scalar dt)
     }
     heat(dt);
     drift(dt/2);
+    shift(dt);
     return word();
 }
 

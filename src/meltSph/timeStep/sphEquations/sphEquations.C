@@ -43,6 +43,22 @@ Foam::melt::sphEquations::sphEquations
             add(role, role);
         }
     }
+    if (effects("particleShifting"))
+    {
+        if (system_.pairs.xsph)
+        {
+            FatalIOErrorInFunction(dict)
+                << "XSPH and particleShifting both set the velocity by which"
+                << " positions move. Accepted: one of them off, in the effects"
+                << " of constant/meltProperties" << exit(FatalIOError);
+        }
+        add("shifting", "particleShifting");
+    }
+    else if (dict.found("shifting"))
+    {
+        Info<< "Warning: shifting of " << dict.name() << " is not used: the"
+            << " effect particleShifting is off" << endl;
+    }
 
     for (rateTerm& term : terms_)
     {
