@@ -32,7 +32,7 @@ Foam::melt::particleShifting::particleShifting
     (
         checkedEntry::getOrDefault
         (
-            dict, "coefficient", dimless, checkedEntry::positive(), 12
+            dict, "coefficient", dimless, checkedEntry::positive(), 24
         )
     ),
     maxSpeed_
@@ -108,14 +108,11 @@ void Foam::melt::particleShifting::addRates()
     const smoothingKernel& kernel = system_.near.kernel();
 
     completeness_.resize(n);
-    relativeSpeed_.resize(n);
+    approach_.resize(n);
     pairPass
     (
         system_.near, system_.walls, f,
-        concentrationLaw
-        (
-            f, completeness_, relativeSpeed_, kernel.dimensions()
-        )
+        concentrationLaw(f, completeness_, approach_, kernel.dimensions())
     );
     alongSurface();
 
@@ -129,7 +126,7 @@ void Foam::melt::particleShifting::addRates()
         (
             f.du[i]*f.du[i] + f.dv[i]*f.dv[i] + f.dw[i]*f.dw[i]
         );
-        double factor = -mobility*relativeSpeed_[i];
+        double factor = -mobility*approach_[i];
         if (mobility*gradient > maxSpeed_)
         {
             factor *= maxSpeed_/(mobility*gradient);
