@@ -79,6 +79,33 @@ TEST(ImplicitPressure, longStepsAreStable)
 }
 
 
+// Melt that fills its domain does not feel the background: on a lattice it rests.
+// A free lump is blown up
+TEST(ImplicitPressure, backgroundPressure)
+{
+    for (const bool fills : {true, false})
+    {
+        lattice points{{6, 6, 6}, 0.01};
+        points.kernel = smoothingKernel::kernelType::wendlandC2;
+        points.periodic = {fills, fills, fills};
+        schemeCase scheme
+        (
+            particleCloud(points),
+            implicitMelt + "speedOfSound 10; background 200; }"
+        );
+        scheme.run(1e-3, 1);
+        const particles& f = scheme.system.fluid;
+        for (int i = 0; i < f.size(); ++i)
+        {
+            EXPECT_NEAR(f.p[i], 200 + 100*(f.rho[i] - 1000), 1e-6);
+        }
+        const double fastest =
+            *std::max_element(f.u.begin(), f.u.end());
+        fills ? EXPECT_LT(fastest, 1e-9) : EXPECT_GT(fastest, 1e-3);
+    }
+}
+
+
 // Where melt presses, and its viscosity does not damp
 TEST(ImplicitPressure, pressureLimitsTheStep)
 {

@@ -59,6 +59,18 @@ TEST(LinearEquationOfState, noTensionByDefault)
 }
 
 
+// Raises tension beyond zero too
+TEST(LinearEquationOfState, backgroundPressure)
+{
+    EXPECT_EQ
+    (
+        pressures("background 1000;"),
+        (particles::array{0, 1000, 20*225.0 + 1000})
+    );
+    EXPECT_THROW(pressures("background -1;"), Foam::IOerror);
+}
+
+
 TEST(LinearEquationOfState, badSpeedOfSound)
 {
     for (const char* entry : {"speedOfSound 0;", "speedOfSound nan;"})
