@@ -7,6 +7,7 @@
 #include "pressureOperator.H"
 #include "latticeMoment.H"
 #include "pressureOperatorLaws.H"
+#include "wholeSupport.H"
 
 Foam::melt::pressureOperator::pressureOperator
 (
@@ -32,6 +33,7 @@ void Foam::melt::pressureOperator::setWallGradient()
     wallGradient_.resize(n);
     wallDivergence_.resize(n);
     wallWeight_.resize(n);
+    support_.resize(n);
     const std::array<double, 3>& g = system_.g;
     const double* const solid = system_.near.solid();
 
@@ -45,7 +47,7 @@ void Foam::melt::pressureOperator::setWallGradient()
         for (int i = 0; i < n; ++i)
         {
             double bx = 0, by = 0, bz = 0, divergence = 0;
-            double wx = 0, wy = 0, wz = 0;
+            double wx = 0, wy = 0, wz = 0, behind = 0;
             const auto row = system_.near.walls().sourcesOf(i);
 
             // A wall does not pull; solids it meets by contact
@@ -58,9 +60,10 @@ void Foam::melt::pressureOperator::setWallGradient()
                 double dy = f.y[i] - walls.y[j];
                 double dz = f.z[i] - walls.z[j];
                 space.nearestImage(dx, dy, dz);
+                const double r2 = dx*dx + dy*dy + dz*dz;
+                behind += walls.volume[j]*W.value(r2);
                 const double c =
-                    onLattice*walls.volume[j]
-                   *W.gradientOverR(dx*dx + dy*dy + dz*dz);
+                    onLattice*walls.volume[j]*W.gradientOverR(r2);
                 bx += c*dx;
                 by += c*dy;
                 bz += c*dz;
@@ -79,6 +82,7 @@ void Foam::melt::pressureOperator::setWallGradient()
                 wy -= weight*dy;
                 wz -= weight*dz;
             }
+            support_[i] = wholeSupport(behind);
             wallGradient_.x[i] = bx;
             wallGradient_.y[i] = by;
             wallGradient_.z[i] = bz;
@@ -133,6 +137,10 @@ void Foam::melt::pressureOperator::update(const double deltaT)
             p0_[i] -= stiffness_[i] > 0 ? before*f.dRho[i] : 0;
             stiffness_[i] /= sqr(theta);
         }
+    }
+    for (std::size_t i = 0; i < support_.size(); ++i)
+    {
+        stiffness_[i] *= support_[i];
     }
 }
 
@@ -214,7 +222,7 @@ void Foam::melt::pressureOperator::divergence(std::vector<double>& div) const
               - f.v[i]*wallGradient_.y[i]
               - f.w[i]*wallGradient_.z[i];
         }
-        div[i] = divergence;
+        div[i] = walls ? support_[i]*divergence : divergence;
     };
 
     forcePass
@@ -232,7 +240,8 @@ std::size_t Foam::melt::pressureOperator::bytes() const
       + sizeof(double)
        *(
             p0_.capacity() + p_.capacity() + stiffness_.capacity()
-          + wallDivergence_.capacity() + 6*A_[0].capacity()
+          + wallDivergence_.capacity() + support_.capacity()
+          + 6*A_[0].capacity()
         );
 }
 
