@@ -7,6 +7,7 @@
 #include "pressureOperator.H"
 #include "latticeMoment.H"
 #include "pressureOperatorLaws.H"
+#include "surfaceCorrection.H"
 #include "wholeSupport.H"
 
 Foam::melt::pressureOperator::pressureOperator
@@ -123,7 +124,7 @@ void Foam::melt::pressureOperator::update(const double deltaT)
             stiffness_[i] = 0;
         }
     }
-    gradientCorrection(system_, maxCondition_, true, A_);
+    surfaceCorrection(system_, maxCondition_, A_);
     setWallGradient();
 
     // That of the density at the step's end, in terms of the mean velocity

@@ -51,7 +51,7 @@ void Foam::melt::adjointViscosity::update(const double deltaT)
     const int n = f.size();
 
     central_.update(deltaT);
-    gradientCorrection(system_, maxCondition_, false, L_);
+    gradientCorrection(system_, maxCondition_, L_);
     harmonicViscosity(system_, eta_);
     for (double& eta : eta_)
     {

@@ -1,0 +1,119 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "surfaceCorrection.H"
+#include "latticeMoment.H"
+#include "momentSum.H"
+
+#include <algorithm>
+
+namespace Foam
+{
+namespace melt
+{
+namespace
+{
+
+//- Mean moment over a lattice's at which a particle is inside the melt, and at
+//  which it is at a surface
+constexpr double inside = 0.85, atSurface = 0.8;
+
+
+class correctionLaw
+{
+    int dimensions_;
+    double lattice_, maxCondition_;
+    symmetricArrays* A_;
+
+    momentSum M_;
+
+public:
+
+    correctionLaw
+    (
+        const int dimensions,
+        const double lattice,
+        const double maxCondition,
+        symmetricArrays& A
+    )
+    :
+        dimensions_(dimensions),
+        lattice_(lattice),
+        maxCondition_(maxCondition),
+        A_(&A)
+    {}
+
+    [[gnu::always_inline]] inline void start(const int)
+    {}
+
+    template<class Kernel>
+    [[gnu::always_inline]] inline void add
+    (
+        const int,
+        const pairGeometry& p,
+        const Kernel&
+    )
+    {
+        M_.add(p);
+    }
+
+    template<class Kernel>
+    inline void addWall(const int, const pairGeometry& p, const Kernel&)
+    {
+        M_.add(p);
+    }
+
+    inline void finish(const int i)
+    {
+        const double mean = M_.trace()/(dimensions_*lattice_);
+        std::array<double, 6> inverse{};
+        double w =
+            std::clamp((inside - mean)/(inside - atSurface), 0.0, 1.0);
+        if (w > 0 && !M_.invert(dimensions_, maxCondition_, inverse))
+        {
+            w = 0;
+        }
+        for (int a = 0; a < 6; ++a)
+        {
+            const bool diagonal = a == 0 || a == 3 || a == 5;
+            (*A_)[a][i] =
+                w*inverse[a] + (diagonal ? (1 - w)/lattice_ : 0);
+        }
+    }
+};
+
+} // End anonymous namespace
+} // End namespace melt
+} // End namespace Foam
+
+
+void Foam::melt::surfaceCorrection
+(
+    const sphSystem& system,
+    const double maxCondition,
+    symmetricArrays& A
+)
+{
+    for (std::vector<double>& component : A)
+    {
+        component.resize(system.fluid.size());
+    }
+    const smoothingKernel& kernel = system.near.kernel();
+    system.near.countForcePass();
+    pairPassOf
+    (
+        [&](const int i) { return !system.near.idle(i); },
+        [](const int, const int) { return 1; },
+        system.near, system.walls, system.fluid,
+        correctionLaw
+        (
+            kernel.dimensions(), latticeMoment(kernel, system.spacing),
+            maxCondition, A
+        )
+    );
+}
+
+// ************************************************************************* //
