@@ -10,6 +10,8 @@
 #include "surfaceCorrection.H"
 #include "wholeSupport.H"
 
+#include <algorithm>
+
 Foam::melt::pressureOperator::pressureOperator
 (
     const sphSystem& system,
@@ -25,6 +27,22 @@ Foam::melt::pressureOperator::pressureOperator
 {}
 
 
+std::array<double, 3> Foam::melt::pressureOperator::weight(const int i) const
+{
+    const particles& f = system_.fluid;
+    const std::array<double, 3>& g = system_.g;
+    const double g2 = g[0]*g[0] + g[1]*g[1] + g[2]*g[2];
+    if (f.axOld.empty() || g2 == 0)
+    {
+        return g;
+    }
+    const double falls =
+        (f.axOld[i]*g[0] + f.ayOld[i]*g[1] + f.azOld[i]*g[2])/g2;
+    const double held = std::clamp(1 - falls, 0.0, 1.0);
+    return {held*g[0], held*g[1], held*g[2]};
+}
+
+
 void Foam::melt::pressureOperator::setWallGradient()
 {
     const particles& f = system_.fluid;
@@ -35,7 +53,6 @@ void Foam::melt::pressureOperator::setWallGradient()
     wallDivergence_.resize(n);
     wallWeight_.resize(n);
     support_.resize(n);
-    const std::array<double, 3>& g = system_.g;
     const double* const solid = system_.near.solid();
 
     // Twice, and corrected: A of particles on a lattice, as those of walls are
@@ -50,6 +67,7 @@ void Foam::melt::pressureOperator::setWallGradient()
             double bx = 0, by = 0, bz = 0, divergence = 0;
             double wx = 0, wy = 0, wz = 0, behind = 0;
             const auto row = system_.near.walls().sourcesOf(i);
+            const std::array<double, 3> g(weight(i));
 
             // A wall does not pull; solids it meets by contact
             const bool none = p0_[i] < 0 || (solid && solid[i] > 0);

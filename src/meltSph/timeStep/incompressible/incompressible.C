@@ -76,10 +76,10 @@ Foam::word Foam::melt::incompressible::fault(const scalar deltaT)
 
 void Foam::melt::incompressible::keepState()
 {
-    const particles& f = system_.fluid;
-    lastA_.x = f.ax;
-    lastA_.y = f.ay;
-    lastA_.z = f.az;
+    particles& f = system_.fluid;
+    f.axOld = f.ax;
+    f.ayOld = f.ay;
+    f.azOld = f.az;
     rhoBefore_ = f.rho;
 }
 
@@ -90,9 +90,9 @@ void Foam::melt::incompressible::restoreState()
     f.u = before_.x;
     f.v = before_.y;
     f.w = before_.z;
-    f.ax = lastA_.x;
-    f.ay = lastA_.y;
-    f.az = lastA_.z;
+    f.ax = f.axOld;
+    f.ay = f.ayOld;
+    f.az = f.azOld;
     f.rho = rhoBefore_;
 }
 
@@ -128,12 +128,14 @@ Foam::word Foam::melt::incompressible::kick(const scalar dt)
     // first guess goes on as the step before did
     const double theta = system_.implicitness;
     const double share = theta*dt;
-    guess_ = before_;
-    guess_.add(share, lastA_);
+    guess_.resize(n);
 
     #pragma omp parallel for simd schedule(static)
     for (int i = 0; i < n; ++i)
     {
+        guess_.x[i] = f.u[i] + share*f.axOld[i];
+        guess_.y[i] = f.v[i] + share*f.ayOld[i];
+        guess_.z[i] = f.w[i] + share*f.azOld[i];
         f.u[i] += share*f.ax[i];
         f.v[i] += share*f.ay[i];
         f.w[i] += share*f.az[i];

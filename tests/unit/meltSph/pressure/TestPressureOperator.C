@@ -263,6 +263,42 @@ TEST(PressureOperator, floorCarriesTheWeight)
 }
 
 
+// Side walls of a pool carry a part of it, but none of what falls
+TEST(PressureOperator, wallsDoNotHoldUpWhatFalls)
+{
+    particleCloud cloud(densityLump(8));
+    cloud.addWall(0, false);
+    cloud.build();
+    const int n = cloud.size();
+    const vectorArray still(n);
+
+    const auto forceOf = [&](const double g, const double acceleration)
+    {
+        operatorCase test(cloud, 0);
+        particles& f = test.scheme.system.fluid;
+        test.scheme.system.g = {0, g, 0};
+        f.axOld.assign(n, 0);
+        f.ayOld.assign(n, acceleration);
+        f.azOld.assign(n, 0);
+        test.pressure.update(0);
+        return test.force(still, 1);
+    };
+    const auto change = [&](const double acceleration)
+    {
+        vectorArray difference(forceOf(-10, acceleration));
+        difference.add(-1, forceOf(0, 0));
+        return norm(difference);
+    };
+
+    const double atRest = change(0);
+    EXPECT_GT(atRest, 0);
+    EXPECT_NEAR(change(-5)/atRest, 0.5, 1e-3);
+    EXPECT_EQ(change(-10), 0);
+    EXPECT_EQ(change(-20), 0);
+    EXPECT_EQ(change(5), atRest);
+}
+
+
 // Of a strain along a wall a particle beside it feels as much as one far away;
 // of one towards it the row at the wall a fifth more
 TEST(PressureOperator, strainAtAWall)
