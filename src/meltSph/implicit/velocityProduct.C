@@ -7,6 +7,8 @@
 #include "velocityProduct.H"
 #include "pairViscosity.H"
 #include "sphSystem.H"
+#include "symmTensor.H"
+#include "tensor.H"
 
 #include <cmath>
 #include <cstring>
@@ -142,57 +144,24 @@ void Foam::melt::velocityProduct::setPairs()
 namespace
 {
 
-using matrix3 = std::array<std::array<double, 3>, 3>;
-
-matrix3 full(const Foam::melt::implicitParts::blocks& s, const int i)
+Foam::symmTensor at(const Foam::melt::implicitParts::blocks& b, const int i)
 {
-    return
-    {{
-        {s[0][i], s[1][i], s[2][i]},
-        {s[1][i], s[3][i], s[4][i]},
-        {s[2][i], s[4][i], s[5][i]}
-    }};
+    return {b[0][i], b[1][i], b[2][i], b[3][i], b[4][i], b[5][i]};
 }
 
 
-//- A B, B symmetric
-matrix3 product(const matrix3& A, const matrix3& B)
+//- Zero where there are no walls
+Foam::vector at(const Foam::melt::vectorArray* a, const int i)
 {
-    matrix3 C;
-    for (int a = 0; a < 3; ++a)
-    {
-        for (int b = 0; b < 3; ++b)
-        {
-            C[a][b] = A[a][0]*B[0][b] + A[a][1]*B[1][b] + A[a][2]*B[2][b];
-        }
-    }
-    return C;
+    return a && a->size()
+      ? Foam::vector(a->x[i], a->y[i], a->z[i])
+      : Foam::vector(Foam::Zero);
 }
 
 
-//- Stress times L of the gradient times L; planar: nothing across the plane
-matrix3 stressL
-(
-    const matrix3& gL,
-    const matrix3& L,
-    const double eta,
-    const int dimensions
-)
+quad narrow(const Foam::vector& v)
 {
-    const double mean = 2*eta*(gL[0][0] + gL[1][1] + gL[2][2])/dimensions;
-    matrix3 S;
-    for (int a = 0; a < 3; ++a)
-    {
-        for (int b = 0; b < 3; ++b)
-        {
-            S[a][b] = eta*(gL[a][b] + gL[b][a]) - (a == b ? mean : 0);
-        }
-    }
-    if (dimensions == 2)
-    {
-        S[2][2] = 0;
-    }
-    return product(S, L);
+    return {{float(v.x()), float(v.y()), float(v.z()), 0}};
 }
 
 } // End anonymous namespace
@@ -204,12 +173,6 @@ void Foam::melt::velocityProduct::setStress(const vectorArray& v)
     const particles& f = system_->fluid;
     const int n = f.size();
     const int dimensions = system_->near.kernel().dimensions();
-    const auto at = [](const vectorArray* a, const int i)
-    {
-        return a && a->size()
-          ? std::array<double, 3>{a->x[i], a->y[i], a->z[i]}
-          : std::array<double, 3>{0, 0, 0};
-    };
 
     #pragma omp parallel for schedule(dynamic, 256)
     for (int i = 0; i < n; ++i)
@@ -236,68 +199,54 @@ void Foam::melt::velocityProduct::setStress(const vectorArray& v)
         }
 
         const double V = f.V[i];
-        const double u[3] = {v.x[i], v.y[i], v.z[i]};
-        double own[3] = {force[0], force[1], force[2]};
-        const matrix3 G
-        {{
-            {gx[0]/V, gy[0]/V, gz[0]/V},
-            {gx[1]/V, gy[1]/V, gz[1]/V},
-            {gx[2]/V, gy[2]/V, gz[2]/V}
-        }};
+        const vector u(v.x[i], v.y[i], v.z[i]);
+        vector own(force[0], force[1], force[2]);
+        const tensor G
+        (
+            gx[0]/V, gy[0]/V, gz[0]/V,
+            gx[1]/V, gy[1]/V, gz[1]/V,
+            gx[2]/V, gy[2]/V, gz[2]/V
+        );
 
         // Q: stress of the melt's neighbours; what walls take is own
-        matrix3 Q{};
+        tensor Q(Zero);
         if (parts_.L)
         {
-            const matrix3 L = full(*parts_.L, i);
-            const std::array<double, 3> b = at(parts_.viscousWall, i);
-            matrix3 g = G;
-            for (int a = 0; a < 3; ++a)
+            const symmTensor L(at(*parts_.L, i));
+            const vector b(at(parts_.viscousWall, i));
+            const tensor gradient((G - u*b) & L);
+            symmTensor S
+            (
+                twoSymm(gradient) - 2.0/dimensions*tr(gradient)*symmTensor::I
+            );
+            if (dimensions == 2)
             {
-                for (int c = 0; c < 3; ++c)
-                {
-                    g[a][c] -= u[a]*b[c];
-                }
+                S.zz() = 0;
             }
-            Q = stressL(product(g, L), L, (*parts_.eta)[i], dimensions);
-            for (int a = 0; a < 3; ++a)
-            {
-                own[a] += V*(Q[a][0]*b[0] + Q[a][1]*b[1] + Q[a][2]*b[2]);
-            }
+            Q = (*parts_.eta)[i]*(S & L);
+            own += V*(Q & b);
         }
         if (parts_.stiffness)
         {
-            const matrix3 A = full(*parts_.pressureA, i);
-            const std::array<double, 3> b = at(parts_.pressureWall, i);
-            double divergence = -u[0]*b[0] - u[1]*b[1] - u[2]*b[2];
-            for (int a = 0; a < 3; ++a)
-            {
-                divergence += G[a][0]*A[0][a] + G[a][1]*A[1][a] + G[a][2]*A[2][a];
-            }
-            const double P = (*parts_.stiffness)[i]*divergence;
-            for (int a = 0; a < 3; ++a)
-            {
-                for (int c = 0; c < 3; ++c)
-                {
-                    Q[a][c] += P*A[a][c];
-                }
-                own[a] += V*P*b[a];
-            }
+            const symmTensor A(at(*parts_.pressureA, i));
+            const vector b(at(parts_.pressureWall, i));
+            const double P = (*parts_.stiffness)[i]*((G && A) - (u & b));
+            Q = Q + P*A;
+            own += V*P*b;
         }
         if (!wallBlocks_[0].empty())
         {
-            const matrix3 b = full(wallBlocks_, i);
-            for (int a = 0; a < 3; ++a)
-            {
-                own[a] -= b[a][0]*u[0] + b[a][1]*u[1] + b[a][2]*u[2];
-            }
+            own -= at(wallBlocks_, i) & u;
         }
 
-        for (int c = 0; c < 3; ++c)
+        // Columns
+        Q_[i] =
         {
-            Q_[i][c] = quad{{float(Q[0][c]), float(Q[1][c]), float(Q[2][c]), 0}};
-        }
-        own_[i] = quad{{float(own[0]), float(own[1]), float(own[2]), 0}};
+            narrow({Q.xx(), Q.yx(), Q.zx()}),
+            narrow({Q.xy(), Q.yy(), Q.zy()}),
+            narrow({Q.xz(), Q.yz(), Q.zz()})
+        };
+        own_[i] = narrow(own);
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include "conductionScale.H"
 #include "latticeMoment.H"
+#include "momentSum.H"
 #include "wallDistance.H"
 
 #include <Eigen/Eigenvalues>
@@ -25,21 +26,7 @@ class secondMomentLaw
     double uniformKappa_, spacing_, least_, most_;
 
     double kappai_ = 0;
-    double xx_ = 0, xy_ = 0, xz_ = 0, yy_ = 0, yz_ = 0, zz_ = 0;
-
-    [[gnu::always_inline]] inline void sum
-    (
-        const pairGeometry& p,
-        const double VF
-    )
-    {
-        xx_ -= VF*p.dx*p.dx;
-        xy_ -= VF*p.dx*p.dy;
-        xz_ -= VF*p.dx*p.dz;
-        yy_ -= VF*p.dy*p.dy;
-        yz_ -= VF*p.dy*p.dz;
-        zz_ -= VF*p.dz*p.dz;
-    }
+    momentSum M_;
 
 public:
 
@@ -75,7 +62,7 @@ public:
         const Kernel&
     )
     {
-        sum(p, p.VF);
+        M_.add(p);
     }
 
     template<class Kernel>
@@ -85,14 +72,17 @@ public:
         if (heatTransfer > 0)
         {
             const wallDistance distance(*walls_, j, p, spacing_);
-            sum(p, p.VF*distance.share(kappai_, heatTransfer));
+            M_.add(p, p.VF*distance.share(kappai_, heatTransfer));
         }
     }
 
     void finish(const int i)
     {
         Eigen::Matrix3d M;
-        M << xx_, xy_, xz_, xy_, yy_, yz_, xz_, yz_, zz_;
+        M <<
+            M_.xx, M_.xy, M_.xz,
+            M_.xy, M_.yy, M_.yz,
+            M_.xz, M_.yz, M_.zz;
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
         solver.computeDirect(M, Eigen::EigenvaluesOnly);
         const double largest = solver.eigenvalues()[2];
