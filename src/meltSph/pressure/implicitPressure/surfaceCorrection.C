@@ -70,17 +70,24 @@ public:
     {
         const double mean = M_.trace()/(dimensions_*lattice_);
         std::array<double, 6> inverse{};
-        double w =
+        double share =
             std::clamp((inside - mean)/(inside - atSurface), 0.0, 1.0);
-        if (w > 0 && !M_.invert(dimensions_, maxCondition_, inverse))
+        if (share > 0 && !M_.invert(dimensions_, maxCondition_, inverse))
         {
-            w = 0;
+            share = 0;
+        }
+        double w = share;
+        if (w > 0)
+        {
+            // In a plane without the 1 across it
+            const double norm2 = momentSum::norm2(inverse) - (3 - dimensions_);
+            w *= std::min(1.0, std::sqrt(dimensions_/norm2)/lattice_);
         }
         for (int a = 0; a < 6; ++a)
         {
             const bool diagonal = a == 0 || a == 3 || a == 5;
             (*A_)[a][i] =
-                w*inverse[a] + (diagonal ? (1 - w)/lattice_ : 0);
+                w*inverse[a] + (diagonal ? (1 - share)/lattice_ : 0);
         }
     }
 };
