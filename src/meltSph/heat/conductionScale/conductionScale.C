@@ -20,13 +20,14 @@ using namespace Foam::melt;
 
 //- Sums up M, sets the factors
 class secondMomentLaw
+:
+    public momentLaw
 {
     particles* f_;
     const wallState* walls_;
     double uniformKappa_, spacing_, least_, most_;
 
     double kappai_ = 0;
-    momentSum M_;
 
 public:
 
@@ -52,17 +53,6 @@ public:
     void start(const int i)
     {
         kappai_ = f_->kappa.empty() ? uniformKappa_ : f_->kappa[i];
-    }
-
-    template<class Kernel>
-    [[gnu::always_inline]] inline void add
-    (
-        const int,
-        const pairGeometry& p,
-        const Kernel&
-    )
-    {
-        M_.add(p);
     }
 
     template<class Kernel>

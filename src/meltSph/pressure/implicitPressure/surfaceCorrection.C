@@ -23,12 +23,12 @@ constexpr double inside = 0.85, atSurface = 0.8;
 
 
 class correctionLaw
+:
+    public momentLaw
 {
     int dimensions_;
     double lattice_, maxCondition_;
     symmetricArrays* A_;
-
-    momentSum M_;
 
 public:
 
@@ -45,20 +45,6 @@ public:
         maxCondition_(maxCondition),
         A_(&A)
     {}
-
-    [[gnu::always_inline]] inline void start(const int)
-    {}
-
-    template<class Kernel>
-    [[gnu::always_inline]] inline void add
-    (
-        const int,
-        const pairGeometry& p,
-        const Kernel&
-    )
-    {
-        M_.add(p);
-    }
 
     template<class Kernel>
     inline void addWall(const int, const pairGeometry& p, const Kernel&)

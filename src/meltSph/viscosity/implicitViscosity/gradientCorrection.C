@@ -15,12 +15,12 @@ namespace
 {
 
 class correctionLaw
+:
+    public momentLaw
 {
     const sphSystem* s_;
     double maxCondition_;
     symmetricArrays* L_;
-
-    momentSum M_;
 
 public:
 
@@ -35,20 +35,6 @@ public:
         maxCondition_(maxCondition),
         L_(&L)
     {}
-
-    [[gnu::always_inline]] inline void start(const int)
-    {}
-
-    template<class Kernel>
-    [[gnu::always_inline]] inline void add
-    (
-        const int,
-        const pairGeometry& p,
-        const Kernel&
-    )
-    {
-        M_.add(p);
-    }
 
     template<class Kernel>
     inline void addWall(const int j, const pairGeometry& p, const Kernel&)
