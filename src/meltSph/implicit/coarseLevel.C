@@ -44,7 +44,6 @@ void addParticle
 (
     const sphSystem& system,
     const implicitParts& p,
-    const implicitParts::blocks& wallBlocks,
     const double deltaT,
     const int i,
     const trilinearGrid::shape& shape,
@@ -61,9 +60,9 @@ void addParticle
     const double pressure = p.stiffness ? deltaT*V*(*p.stiffness)[i] : 0;
     const double viscous = deltaT*V*eta;
     Eigen::Matrix3d local = f.m[i]*Eigen::Matrix3d::Identity();
-    if (!wallBlocks[0].empty())
+    if (p.centralWall && !(*p.centralWall)[0].empty())
     {
-        local += deltaT*block(wallBlocks, i);
+        local += deltaT*p.centralShare*block(*p.centralWall, i);
     }
     vector b = at(p.viscousWall, i);
     if (p.L)
@@ -108,7 +107,6 @@ bool Foam::melt::coarseLevel::build
 (
     const sphSystem& system,
     const implicitParts& parts,
-    const implicitParts::blocks& wallBlocks,
     const double deltaT,
     const double cellSize
 )
@@ -134,10 +132,7 @@ bool Foam::melt::coarseLevel::build
             system.fluid, cell,
             [&](const int i, const trilinearGrid::shape& shape)
             {
-                addParticle
-                (
-                    system, parts, wallBlocks, deltaT, i, shape, A
-                );
+                addParticle(system, parts, deltaT, i, shape, A);
             }
         );
         A.triangularView<Eigen::StrictlyLower>() =

@@ -58,40 +58,53 @@ void groupBy
     }
 }
 
+
+//- Functions of a cell's corners at a point, 0 to 1 along each side
+inline std::array<double, Foam::melt::trilinearGrid::nCorners> cornerValues
+(
+    const std::array<double, 3>& s
+)
+{
+    const double x[2] = {1 - s[0], s[0]};
+    const double yz[4] =
+    {
+        (1 - s[1])*(1 - s[2]), s[1]*(1 - s[2]), (1 - s[1])*s[2], s[1]*s[2]
+    };
+    return
+    {
+        x[0]*yz[0], x[1]*yz[0], x[0]*yz[1], x[1]*yz[1],
+        x[0]*yz[2], x[1]*yz[2], x[0]*yz[3], x[1]*yz[3]
+    };
+}
+
 } // End anonymous namespace
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-std::array<double, 3> Foam::melt::trilinearGrid::local
+template<class Visit>
+inline void Foam::melt::trilinearGrid::forValues
 (
     const particles& f,
     const int cell,
-    const int i
+    const Visit& visit
 ) const
 {
-    const std::array<double, 3>& low = lowest_[cell];
-    return
+    const std::array<double, 3> low = lowest_[cell];
+    const double perSize = 1/size_;
+    for (int k = startMembers_[cell]; k < startMembers_[cell + 1]; ++k)
     {
-        (f.x[i] - low[0])/size_,
-        (f.y[i] - low[1])/size_,
-        (f.z[i] - low[2])/size_
-    };
-}
-
-
-std::array<double, Foam::melt::trilinearGrid::nCorners>
-Foam::melt::trilinearGrid::values(const std::array<double, 3>& s)
-{
-    const double lower[3] = {1 - s[0], 1 - s[1], 1 - s[2]};
-    std::array<double, nCorners> N;
-    for (int c = 0; c < nCorners; ++c)
-    {
-        N[c] =
-            (c & 1 ? s[0] : lower[0])
-           *(c & 2 ? s[1] : lower[1])
-           *(c & 4 ? s[2] : lower[2]);
+        const int i = members_[k];
+        visit
+        (
+            i,
+            cornerValues
+            ({
+                (f.x[i] - low[0])*perSize,
+                (f.y[i] - low[1])*perSize,
+                (f.z[i] - low[2])*perSize
+            })
+        );
     }
-    return N;
 }
 
 
@@ -187,7 +200,13 @@ Foam::melt::trilinearGrid::shape Foam::melt::trilinearGrid::at
     const int i
 ) const
 {
-    const std::array<double, 3> s = local(f, cell, i);
+    const std::array<double, 3>& low = lowest_[cell];
+    const std::array<double, 3> s =
+    {
+        (f.x[i] - low[0])/size_,
+        (f.y[i] - low[1])/size_,
+        (f.z[i] - low[2])/size_
+    };
     const double part[3][2] =
     {
         {1 - s[0], s[0]},
@@ -197,7 +216,7 @@ Foam::melt::trilinearGrid::shape Foam::melt::trilinearGrid::at
     const double slope[2] = {-1/size_, 1/size_};
 
     shape result;
-    result.N = values(s);
+    result.N = cornerValues(s);
     for (int c = 0; c < nCorners; ++c)
     {
         const int a = c & 1, b = (c >> 1) & 1, d = (c >> 2) & 1;
@@ -222,19 +241,23 @@ void Foam::melt::trilinearGrid::restrict
     #pragma omp parallel for schedule(dynamic, 4)
     for (int cell = 0; cell < nCells(); ++cell)
     {
-        std::array<double, 3*nCorners> sums = {};
-        for (int k = startMembers_[cell]; k < startMembers_[cell + 1]; ++k)
+        // By component: sums that stay in registers
+        double x[nCorners] = {}, y[nCorners] = {}, z[nCorners] = {};
+        forValues(f, cell, [&](const int i, const auto& N)
         {
-            const int i = members_[k];
-            const std::array<double, nCorners> N = values(local(f, cell, i));
             for (int c = 0; c < nCorners; ++c)
             {
-                sums[3*c] += N[c]*r.x[i];
-                sums[3*c + 1] += N[c]*r.y[i];
-                sums[3*c + 2] += N[c]*r.z[i];
+                x[c] += N[c]*r.x[i];
+                y[c] += N[c]*r.y[i];
+                z[c] += N[c]*r.z[i];
             }
+        });
+        for (int c = 0; c < nCorners; ++c)
+        {
+            cornerSums_[cell][3*c] = x[c];
+            cornerSums_[cell][3*c + 1] = y[c];
+            cornerSums_[cell][3*c + 2] = z[c];
         }
-        cornerSums_[cell] = sums;
     }
 
     #pragma omp parallel for schedule(static)
@@ -264,18 +287,27 @@ void Foam::melt::trilinearGrid::addProlonged
     #pragma omp parallel for schedule(dynamic, 4)
     for (int cell = 0; cell < nCells(); ++cell)
     {
-        for (int k = startMembers_[cell]; k < startMembers_[cell + 1]; ++k)
+        double x[nCorners], y[nCorners], w[nCorners];
+        for (int c = 0; c < nCorners; ++c)
         {
-            const int i = members_[k];
-            const std::array<double, nCorners> N = values(local(f, cell, i));
+            const double* const node = nodes + 3*corners_[cell][c];
+            x[c] = node[0];
+            y[c] = node[1];
+            w[c] = node[2];
+        }
+        forValues(f, cell, [&](const int i, const auto& N)
+        {
+            double sum[3] = {};
             for (int c = 0; c < nCorners; ++c)
             {
-                const double* const node = nodes + 3*corners_[cell][c];
-                z.x[i] += N[c]*node[0];
-                z.y[i] += N[c]*node[1];
-                z.z[i] += N[c]*node[2];
+                sum[0] += N[c]*x[c];
+                sum[1] += N[c]*y[c];
+                sum[2] += N[c]*w[c];
             }
-        }
+            z.x[i] += sum[0];
+            z.y[i] += sum[1];
+            z.z[i] += sum[2];
+        });
     }
 }
 

@@ -33,8 +33,7 @@ Foam::melt::velocitySolver::velocitySolver(const dictionary& dict)
         (
             dict, "coarseSpacing", dimless, scalarMinMax::ge(0), 5
         )
-    ),
-    storePairs_(dict.getOrDefault("storePairs", true))
+    )
 {}
 
 
@@ -107,9 +106,6 @@ bool Foam::melt::velocitySolver::solve
     particles& f = system.fluid;
     const int n = f.size();
 
-    start_.x = f.u;
-    start_.y = f.v;
-    start_.z = f.w;
     r_.resize(n);
 
     // The rigid motions of the same momenta
@@ -143,9 +139,9 @@ bool Foam::melt::velocitySolver::solve
         #pragma omp parallel for simd schedule(static)
         for (int i = 0; i < n; ++i)
         {
-            r_.x[i] = f.m[i]*(start_.x[i] - v_.x[i]) + deltaT*r_.x[i];
-            r_.y[i] = f.m[i]*(start_.y[i] - v_.y[i]) + deltaT*r_.y[i];
-            r_.z[i] = f.m[i]*(start_.z[i] - v_.z[i]) + deltaT*r_.z[i];
+            r_.x[i] = f.m[i]*(f.u[i] - v_.x[i]) + deltaT*r_.x[i];
+            r_.y[i] = f.m[i]*(f.v[i] - v_.y[i]) + deltaT*r_.y[i];
+            r_.z[i] = f.m[i]*(f.w[i] - v_.z[i]) + deltaT*r_.z[i];
         }
         if (solids_)
         {
@@ -154,9 +150,9 @@ bool Foam::melt::velocitySolver::solve
     };
 
     implicitParts parts;
-    // Pairs are stored in single precision, which does not reach a tolerance near
-    // its own round-off
-    bool described = storePairs_ && tolerance_ > 10*floatScalarSMALL;
+    // The product is one of single precision, which does not reach a tolerance
+    // near its own round-off
+    bool described = tolerance_ > 10*floatScalarSMALL;
     for (const implicitOperator* o : operators_)
     {
         described = o->describe(parts) && described;
@@ -169,8 +165,7 @@ bool Foam::melt::velocitySolver::solve
         coarseSpacing_ > 0
      && coarse_.build
         (
-            system, parts, product_.wallBlocks(), deltaT,
-            coarseSpacing_*system.spacing
+            system, parts, deltaT, coarseSpacing_*system.spacing
         );
 
     const auto apply = [&](const vectorArray& p, vectorArray& Ap)
@@ -232,9 +227,9 @@ bool Foam::melt::velocitySolver::solve
                 n,
                 [&](const int i)
                 {
-                    const double x = f.m[i]*(v.x[i] - start_.x[i]);
-                    const double y = f.m[i]*(v.y[i] - start_.y[i]);
-                    const double z = f.m[i]*(v.z[i] - start_.z[i]);
+                    const double x = f.m[i]*(v.x[i] - f.u[i]);
+                    const double y = f.m[i]*(v.y[i] - f.v[i]);
+                    const double z = f.m[i]*(v.z[i] - f.w[i]);
                     return x*x + y*y + z*z;
                 }
             )
@@ -309,7 +304,7 @@ void Foam::melt::velocitySolver::report(Ostream& os) const
 
     std::size_t bytes =
         solver_.bytes() + product_.bytes() + coarse_.bytes()
-      + v_.bytes() + start_.bytes() + r_.bytes()
+      + v_.bytes() + r_.bytes()
       + 6*sizeof(double)*inverse_[0].capacity();
     for (const implicitOperator* o : operators_)
     {

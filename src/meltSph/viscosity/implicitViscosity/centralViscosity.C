@@ -46,33 +46,51 @@ struct pairCoefficient
 };
 
 
-//- sum_j c_ij x x^T, with the walls: block of the diagonal
-class blockLaw
+//- sum_j c_ij x x^T
+struct blockOfPairs
 {
-    const sphSystem* s_;
-    const double* eta_;
-    viscousOperator::blocks* blocks_;
-    vectorArray* wallPull_;
-    pairCoefficient c_;
+    double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
 
-    int i_ = 0;
-    double etai_ = 0;
-    double xx_ = 0, xy_ = 0, xz_ = 0, yy_ = 0, yz_ = 0, zz_ = 0;
-    double px_ = 0, py_ = 0, pz_ = 0;
-
-    [[gnu::always_inline]] inline void addBlock
+    [[gnu::always_inline]] inline void add
     (
         const double c,
         const pairGeometry& p
     )
     {
-        xx_ += c*p.dx*p.dx;
-        xy_ += c*p.dx*p.dy;
-        xz_ += c*p.dx*p.dz;
-        yy_ += c*p.dy*p.dy;
-        yz_ += c*p.dy*p.dz;
-        zz_ += c*p.dz*p.dz;
+        xx += c*p.dx*p.dx;
+        xy += c*p.dx*p.dy;
+        xz += c*p.dx*p.dz;
+        yy += c*p.dy*p.dy;
+        yz += c*p.dy*p.dz;
+        zz += c*p.dz*p.dz;
     }
+
+    void addTo(viscousOperator::blocks& b, const int i, const double V) const
+    {
+        b[0][i] += V*xx;
+        b[1][i] += V*xy;
+        b[2][i] += V*xz;
+        b[3][i] += V*yy;
+        b[4][i] += V*yz;
+        b[5][i] += V*zz;
+    }
+};
+
+
+//- Blocks of the diagonal, and what walls have in them
+class blockLaw
+{
+    const sphSystem* s_;
+    const double* eta_;
+    viscousOperator::blocks* blocks_;
+    viscousOperator::blocks* wallBlocks_;
+    vectorArray* wallPull_;
+    pairCoefficient c_;
+
+    int i_ = 0;
+    double etai_ = 0;
+    blockOfPairs melt_, walls_;
+    double px_ = 0, py_ = 0, pz_ = 0;
 
 public:
 
@@ -81,12 +99,14 @@ public:
         const sphSystem& s,
         const double share,
         viscousOperator::blocks& blocks,
+        viscousOperator::blocks& wallBlocks,
         vectorArray& wallPull
     )
     :
         s_(&s),
         eta_(s.fluid.eta.data()),
         blocks_(&blocks),
+        wallBlocks_(&wallBlocks),
         wallPull_(&wallPull),
         c_(s.near.kernel(), share)
     {}
@@ -105,7 +125,7 @@ public:
         const Kernel&
     )
     {
-        addBlock(c_(etai_, eta_[j], p), p);
+        melt_.add(c_(etai_, eta_[j], p), p);
     }
 
     template<class Kernel>
@@ -118,7 +138,7 @@ public:
            *(
                 w.wallU[j]*p.dx + w.wallV[j]*p.dy + w.wallW[j]*p.dz
             );
-        addBlock(c, p);
+        walls_.add(c, p);
         px_ += pull*p.dx;
         py_ += pull*p.dy;
         pz_ += pull*p.dz;
@@ -127,13 +147,12 @@ public:
     [[gnu::always_inline]] inline void finish(const int i)
     {
         const double V = s_->fluid.V[i];
-        viscousOperator::blocks& b = *blocks_;
-        b[0][i] = V*xx_;
-        b[1][i] = V*xy_;
-        b[2][i] = V*xz_;
-        b[3][i] = V*yy_;
-        b[4][i] = V*yz_;
-        b[5][i] = V*zz_;
+        melt_.addTo(*blocks_, i, V);
+        if (!(*wallBlocks_)[0].empty())
+        {
+            walls_.addTo(*blocks_, i, V);
+            walls_.addTo(*wallBlocks_, i, V);
+        }
         wallPull_->x[i] = V*px_;
         wallPull_->y[i] = V*py_;
         wallPull_->z[i] = V*pz_;
@@ -232,7 +251,11 @@ void Foam::melt::centralViscosity::update(const double)
     const int n = system_.fluid.size();
     for (std::vector<double>& component : diagonal_)
     {
-        component.resize(n);
+        component.assign(n, 0);
+    }
+    for (std::vector<double>& component : wallDiagonal_)
+    {
+        component.assign(system_.near.walls().empty() ? 0 : n, 0);
     }
     wallPull_.resize(n);
 
@@ -241,7 +264,7 @@ void Foam::melt::centralViscosity::update(const double)
         system_.near,
         system_.walls,
         system_.fluid,
-        blockLaw(system_, 1, diagonal_, wallPull_)
+        blockLaw(system_, 1, diagonal_, wallDiagonal_, wallPull_)
     );
 }
 
@@ -298,14 +321,17 @@ void Foam::melt::centralViscosity::addDiagonal(blocks& diagonal) const
 bool Foam::melt::centralViscosity::describe(implicitParts& p) const
 {
     p.centralShare = share_;
-    p.centralDiagonal = &diagonal_;
+    p.centralWall = &wallDiagonal_;
     return true;
 }
 
 
 std::size_t Foam::melt::centralViscosity::bytes() const
 {
-    return wallPull_.bytes() + 6*sizeof(double)*diagonal_[0].capacity();
+    return
+        wallPull_.bytes()
+      + 6*sizeof(double)
+       *(diagonal_[0].capacity() + wallDiagonal_[0].capacity());
 }
 
 // ************************************************************************* //

@@ -59,7 +59,7 @@ struct levelCase
         parts.stiffness = &stiffness;
         EXPECT_TRUE
         (
-            level.build(scheme.system, parts, {}, 1e-2, cellSize)
+            level.build(scheme.system, parts, 1e-2, cellSize)
         );
     }
 

@@ -21,7 +21,7 @@ namespace unitTest
 namespace
 {
 
-//- Viscosity, central or adjoint, and pressure over a disordered lump at a wall
+//- Viscosity, central or adjoint, and pressure over a disordered lump
 struct productCase
 {
     particleCloud cloud;
@@ -147,6 +147,41 @@ TEST_P(VelocityProduct, isFiniteAtTheEndOfTheSupport)
         const vectorArray Kv(test.apply(randomVelocity(cloud)));
         EXPECT_TRUE(std::isfinite(dot(Kv, Kv))) << share;
     }
+}
+
+
+// Pairs across the periods, and far from the origin
+TEST_P(VelocityProduct, isThatOfTheOperatorsInAPeriodicBox)
+{
+    particleCloud cloud
+    (
+        lattice
+        {
+            {9, 8, 10}, 0.01, smoothingKernel::kernelType::wendlandC2, 1.3, 0.2,
+            {true, false, true}
+        },
+        5
+    );
+    cloud.randomiseDensity(0.01);
+    cloud.randomise(cloud.fluid.eta, 1, 100);
+    productCase test(cloud, GetParam());
+    const vectorArray v(randomVelocity(test.cloud));
+
+    vectorArray expected(v.size());
+    test.viscosity->addForce(v, 0, expected);
+    test.pressure.addForce(v, 0, expected);
+
+    vectorArray difference(test.apply(v));
+    difference.add(1, expected);
+    EXPECT_LT(norm(difference), 2e-6*norm(expected));
+}
+
+
+// Nothing of a pair but its two bytes
+TEST_P(VelocityProduct, holdsLittle)
+{
+    productCase test(lump(6, false), GetParam());
+    EXPECT_LT(test.product.bytes(), 300*test.cloud.size());
 }
 
 

@@ -149,7 +149,7 @@ TEST_P(SmoothingKernel, finiteWhereParticlesCoincide)
     EXPECT_EQ(slope(0), 0);
     kernel.visit
     (
-        [](const auto& w) { EXPECT_TRUE(std::isfinite(w.gradientOverR(0))); }
+        [](const auto& w) { EXPECT_TRUE(std::isfinite(w.gradientOverR(0.0))); }
     );
     EXPECT_NEAR(slope(1e-9*h), 0, 1e-6*W(0)/h);
 }

@@ -165,43 +165,6 @@ TEST(Incompressible, keepsAngularMomentumOfASpinningLump)
 }
 
 
-// Pairs made anew in each product of the solver: the same motion, less memory
-TEST(Incompressible, needsNoStoredPairs)
-{
-    const auto bytesAndMotion = [](const std::string& storePairs)
-    {
-        particleCloud cloud(lump(6));
-        cloud.randomiseVelocity(0.3);
-        schemeCase scheme
-        (
-            cloud,
-            numerics("1e6") + " implicit { tolerance 2e-5; storePairs "
-          + storePairs + "; }"
-        );
-        scheme.run(4e-4, 2);
-        OStringStream log;
-        scheme.scheme->report(log);
-        const std::string text(log.str());
-        const std::size_t end = text.find(" bytes a particle");
-        const std::size_t begin = text.rfind(' ', end - 1);
-        return std::make_pair
-        (
-            std::stod(text.substr(begin, end - begin)), scheme.system.fluid
-        );
-    };
-    const auto [bytes, f] = bytesAndMotion("yes");
-    const auto [fewerBytes, g] = bytesAndMotion("no");
-    EXPECT_LT(fewerBytes, 0.4*bytes);
-    for (int i = 0; i < f.size(); ++i)
-    {
-        ASSERT_EQ(f.id[i], g.id[i]);
-        ASSERT_NEAR(f.u[i], g.u[i], 1e-5);
-        ASSERT_NEAR(f.v[i], g.v[i], 1e-5);
-        ASSERT_NEAR(f.w[i], g.w[i], 1e-5);
-    }
-}
-
-
 // Twice as far as the limit allows: done again in halves
 TEST(Incompressible, tooLongAStepIsDoneAgain)
 {
