@@ -6,9 +6,9 @@
 
 #include "eulerianMethod.H"
 #include "addToRunTimeSelectionTable.H"
-#include "checkedEntry.H"
 #include "domainFields.H"
 #include "eulerianFill.H"
+#include "surfaceTension.H"
 
 namespace Foam
 {
@@ -57,28 +57,6 @@ Foam::melt::eulerianMethod::eulerianMethod
         "zeroGradient"
     ),
     conducts_(scene.effects()("heatConduction")),
-    Courant_
-    (
-        checkedEntry::getOrDefault
-        (
-            dict_.subOrEmptyDict("timeStep"),
-            "Courant",
-            dimless,
-            checkedEntry::positiveUpTo(0.5),
-            0.4
-        )
-    ),
-    growth_
-    (
-        checkedEntry::getOrDefault
-        (
-            dict_.subOrEmptyDict("timeStep"),
-            "growth",
-            dimless,
-            scalarMinMax(1 + SMALL, GREAT),
-            2
-        )
-    ),
     solid_(dict_.subOrEmptyDict("solid")),
     buoyancy_
     (
@@ -88,16 +66,17 @@ Foam::melt::eulerianMethod::eulerianMethod
     (
         scene.effects()("surfaceTension") ? scene.thermo().surfaceTension() : 0
     ),
-    capillary_
+    timeStep_
     (
-        checkedEntry::getOrDefault
+        dict_.subOrEmptyDict("timeStep"),
+        leastEdge(),
+        mag(scene.g()),
+        surfaceTension_ > 0
+      ? surfaceTension::capillaryTime
         (
-            dict_.subOrEmptyDict("timeStep"),
-            "capillary",
-            dimless,
-            checkedEntry::positiveUpTo(0.8),
-            0.5
+            region_.grid(), surfaceTension_, scene.thermo().rho()
         )
+      : GREAT
     )
 {
     scene.periods().refuse(typeName);

@@ -51,7 +51,7 @@ void Foam::melt::eulerianMethod::writeState() const
     (
         scalarList
         ({
-            lastDeltaT_, initialCentre_.x(), initialCentre_.y(),
+            lastDeltaT_, lastAcceleration_, initialCentre_.x(), initialCentre_.y(),
             initialCentre_.z(), initialPotentialEnergy_, initialMass_,
             initialEnthalpy_, heatIn_, heatOut_, interface_.lostVolume(),
             interface_.lostEnthalpy()
@@ -76,7 +76,7 @@ void Foam::melt::eulerianMethod::readState()
 {
     const IOField<scalar> list(stateIO(IOobject::MUST_READ));
     const label nCells = region_.grid().nCells();
-    label size = 1 + 3*nCells + 11;
+    label size = 1 + 3*nCells + 12;
     for (int a = 0; a < 3; ++a)
     {
         size += region_.grid().nFaces(a);
@@ -112,6 +112,7 @@ void Foam::melt::eulerianMethod::readState()
     take(p);
     flow_.set(U, p);
     lastDeltaT_ = list[i++];
+    lastAcceleration_ = list[i++];
     for (direction k = 0; k < 3; ++k)
     {
         initialCentre_[k] = list[i++];

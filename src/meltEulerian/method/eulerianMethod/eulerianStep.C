@@ -6,13 +6,11 @@
 
 #include "eulerianMethod.H"
 #include "effectTimes.H"
-#include "surfaceTension.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::melt::eulerianMethod::longestStep(word& limit) const
+Foam::scalar Foam::melt::eulerianMethod::leastEdge() const
 {
-    // From rest: no faster than falling freely
     scalar dx = GREAT;
     for (int a = 0; a < 3; ++a)
     {
@@ -21,32 +19,20 @@ Foam::scalar Foam::melt::eulerianMethod::longestStep(word& limit) const
             dx = min(dx, region_.grid().d()[a]);
         }
     }
-    scalar longest = sqrt(Courant_*dx/max(mag(scene_.g()), VSMALL));
-    limit = "start";
-    if (lastDeltaT_ > 0)
-    {
-        longest = growth_*lastDeltaT_;
-        limit = "growth";
-    }
-    const scalar Courant = interface_.Courant(flow_.U(), 1);
-    if (Courant*longest > Courant_)
-    {
-        longest = Courant_/Courant;
-        limit = "Courant";
-    }
-    if (surfaceTension_ > 0)
-    {
-        const scalar capillary = capillary_*surfaceTension::capillaryTime
-        (
-            region_.grid(), surfaceTension_, scene_.thermo().rho()
-        );
-        if (capillary < longest)
-        {
-            longest = capillary;
-            limit = "capillary";
-        }
-    }
-    return longest;
+    return dx;
+}
+
+
+Foam::melt::eulerianTimeStep::motion
+Foam::melt::eulerianMethod::motion(const scalar acceleration) const
+{
+    return {interface_.Courant(flow_.U(), 1), acceleration};
+}
+
+
+Foam::scalar Foam::melt::eulerianMethod::longestStep(word& limit) const
+{
+    return timeStep_.longest(lastDeltaT_, motion(lastAcceleration_), limit);
 }
 
 
@@ -81,18 +67,23 @@ void Foam::melt::eulerianMethod::advance(const scalar deltaT)
             flow(part);
         }
 
-        // What has just melted may be faster than anything was before
-        const scalar Courant = interface_.Courant(flow_.U(), part);
-        if (Courant > 2*Courant_)
+        // What has just melted, or was let go, may be faster than anything was
+        // before
+        const scalar accepted =
+            timeStep_.accepted(part, motion(flowRecord_.acceleration));
+        if (accepted < part)
         {
             flow_.set(U, p);
-            step = part*Courant_/Courant;
+            step = accepted;
             continue;
         }
         {
             const effectTimes::part timing(effectTimes::flow, "interface");
             interfaceSteps_ =
-                interface_.advance(flow_.U(), part, Courant_, alphaH_);
+                interface_.advance
+                (
+                    flow_.U(), part, timeStep_.Courant(), alphaH_
+                );
         }
         vents_.flow
         (
@@ -108,7 +99,8 @@ void Foam::melt::eulerianMethod::advance(const scalar deltaT)
         }
         remaining_ = part < remaining_ ? remaining_ - part : 0;
         lastDeltaT_ = step;
-        step *= growth_;
+        lastAcceleration_ = flowRecord_.acceleration;
+        step = maxDeltaT();
         cellSteps_ += nParticles();
     }
 }

@@ -114,6 +114,7 @@ Foam::melt::meltFlow::record Foam::melt::meltFlow::advance
         }
     }
 
+    const saddleSolver::vector start(u);
     do
     {
         r.solved = system.solve
@@ -142,6 +143,7 @@ Foam::melt::meltFlow::record Foam::melt::meltFlow::advance
     system.get(U_, p_);
     faceExtrapolation::extrapolate(elements, nLayers, U_);
     r.maxDivergence = system.maxDivergence();
+    r.acceleration = system.rms(u - start)/dt;
     return r;
 }
 

@@ -180,6 +180,20 @@ void Foam::melt::stokesSystem::get
 }
 
 
+double Foam::melt::stokesSystem::rms(const saddleSolver::vector& u) const
+{
+    double liquid = 0;
+    for (int cell = 0; cell < elements_.grid().nCells(); ++cell)
+    {
+        if (elements_.pressure(cell) >= 0)
+        {
+            liquid += elements_.alpha(cell)*elements_.grid().volume();
+        }
+    }
+    return liquid > 0 ? std::sqrt(volume_.dot(u.cwiseAbs2())/liquid) : 0;
+}
+
+
 double Foam::melt::stokesSystem::maxDivergence() const
 {
     double greatest = 0;
