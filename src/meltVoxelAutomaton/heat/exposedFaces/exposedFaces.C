@@ -6,6 +6,7 @@
 
 #include "exposedFaces.H"
 #include "surfaceEdge.H"
+#include "wettedShare.H"
 
 #include <algorithm>
 #include <cmath>
@@ -206,13 +207,15 @@ void facesOfVoxel
 {
     const std::size_t begin = free.size();
 
-    // A film on what is below has the voxel's area; what falls is a drop; a
+    // A film has the area of what it covers below; what falls is a drop; a
     // column of voxels that are all partly filled is the side of a solid
     const bool falling =
         v[2] > 0 && grid.phase(v[0], v[1], v[2] - 1) == EMPTY;
     const bool film = filledAt(grid, v[0], v[1], v[2] - 1, 1) >= 1;
     const float across =
-        falling ? std::cbrt(filled*filled) : film ? 1 : filled;
+        falling ? std::cbrt(filled*filled)
+      : film ? wettedShare(grid, v[0], v[1], v[2])
+      : filled;
     for (int side = 0; side < 6; ++side)
     {
         const std::array<int, 3> n = exposedFaces::normal(side);

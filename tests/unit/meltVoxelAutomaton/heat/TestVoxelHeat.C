@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 using namespace unitTest;
 
 namespace
@@ -329,6 +331,81 @@ TEST(ExposedFaces, areaOfASlope)
         std::cout << "    slope " << slope[0] << ' ' << slope[1] << ": "
             << smooth/exact << '\n';
         EXPECT_NEAR(smooth/exact, 1, 0.04);
+    }
+}
+
+// What shines on a film on the floor, front or not, heats it at most twice as
+// fast as a sheet as thick as the film beside it, however little there is in it
+TEST(ExposedFaces, filmsAtFrontsCoverTheirFloorInPart)
+{
+    std::mt19937 engine(5);
+    std::uniform_real_distribution<double> decades(-8, 0);
+    const int n = 24;
+    voxelGrid grid({n, n, 4}, dx, wax(dx));
+    for (int i = 0; i < n*n; ++i)
+    {
+        const double share = std::pow(10, decades(engine));
+        if (share > 1e-7)
+        {
+            grid.fill(i/n, i % n, 0, share, 350);
+        }
+    }
+    grid.refresh();
+    exposedFaces faces;
+    faces.build(grid);
+    const auto filled = [&](const int x, const int y)
+    {
+        return
+            grid.inside(x, y, 0)
+          ? double(grid.mass(x, y, 0))/voxelMaterial::full : 0;
+    };
+    int nPartly = 0;
+    for (const exposedFace& f : faces.free)
+    {
+        if (f.side == 5)
+        {
+            const double beside = std::max
+            ({
+                filled(f.x - 1, f.y), filled(f.x + 1, f.y),
+                filled(f.x, f.y - 1), filled(f.x, f.y + 1)
+            });
+            const double own = filled(f.x, f.y);
+            EXPECT_LE(f.area/own, std::min(1/own, 2/beside)*(1 + 1e-5));
+            nPartly += f.area < 1;
+        }
+    }
+    EXPECT_GT(nPartly, n*n/2);
+}
+
+
+// A sheet that becomes thinner by less than a half from voxel to voxel covers
+// its floor; what lies on melt is not at its front
+TEST(ExposedFaces, sheetsCoverTheirFloor)
+{
+    voxelGrid grid({8, 8, 4}, dx, wax(dx));
+    const double height[8] = {1.3, 1, 0.6, 0.31, 0.16, 0.02, 1e-4, 0};
+    for (int i = 0; i < 64; ++i)
+    {
+        const double h = height[i/8];
+        if (h > 0)
+        {
+            grid.fill(i/8, i % 8, 0, std::min(h, 1.0), 350);
+        }
+        if (h > 1)
+        {
+            grid.fill(i/8, i % 8, 1, h - 1, 350);
+        }
+    }
+    grid.refresh();
+    exposedFaces faces;
+    faces.build(grid);
+    const double expected[8] = {1, 1, 1, 1, 1, 0.02/0.08, 1e-4/0.04, 0};
+    for (const exposedFace& f : faces.free)
+    {
+        if (f.side == 5)
+        {
+            EXPECT_NEAR(f.area/expected[f.x], 1, 1e-4) << f.x;
+        }
     }
 }
 
