@@ -1,51 +1,60 @@
 # Points of equalError to its tables. Input, sorted: preset, particles, factor, steps,
-# seconds a simulated second, fall of the centre of mass and of the top (negative),
-# growth of the half width [m] and of the melted fraction. -v sizes: of the reference
-function order(a, b, c) { return (a - b)/(b - c) > 0 ? log((a - b)/(b - c))/log(ratio) : 0 }
+# seconds a simulated second, change of the centre of mass, of the top, of the half
+# width and of the spread [m], and melted volume over that at the start. -v sizes: of the reference
 function magnitude(x) { return x < 0 ? -x : x }
+function head(title, q)
+{
+    printf "%-9s %9s %6s %6s %9s", title, "particles", "factor", "steps", "CPU s/s"
+    for (q = 1; q <= 5; ++q) printf " %9s", name[q]
+    print ""
+}
+function row(i) { printf "%-9s %9d %6s %6d %9.3g", label[i], particles[i], factor[i], steps[i], seconds[i] }
 BEGIN {
     split(sizes, size, " ")
     ratio = (size[2]/size[1])^(1/3)
-    split("centre top width melted", name, " ")
+    split("centre top width spread melted", name, " ")
+    split("1000 1000 1000 1000 1", scale, " ")
 }
 {
-    for (q = 1; q <= 4; ++q) value[NR, q] = $(5 + q)
+    for (q = 1; q <= 5; ++q) value[NR, q] = $(5 + q)
     label[NR] = $1; particles[NR] = $2; factor[NR] = $3; steps[NR] = $4; seconds[NR] = $5
-    if ($1 == "robust" && $3 == 0.25)
-        for (k = 1; k <= 3; ++k)
-            if ($2 == size[k]) for (q = 1; q <= 4; ++q) fine[k, q] = $(5 + q)
+    for (k = 1; k <= 3; ++k)
+        if ($1 == "robust" && $3 == 0.25 && $2 == size[k])
+            for (q = 1; q <= 5; ++q) fine[k, q] = $(5 + q)
 }
 END {
-    printf "%-9s %9s %6s %6s %9s", "scheme", "particles", "factor", "steps", "CPU s/s"
-    for (q = 1; q <= 4; ++q) printf " %9s", name[q]
-    print "\n" "Changes: mm, mm, mm, %"
-    # The order must lie between 1 and 2 for the extrapolation to be better than the
-    # finest; otherwise the first order is assumed
-    for (q = 1; q <= 4; ++q)
+    # Extrapolated by the observed order, at least 1 and at most 2; where there is
+    # none, that is where the values go to and fro, the finest
+    for (q = 1; q <= 5; ++q)
     {
-        p[q] = order(fine[1, q], fine[2, q], fine[3, q])
-        used = p[q] < 1 ? 1 : p[q] > 2 ? 2 : p[q]
-        reference[q] = fine[3, q] + (fine[3, q] - fine[2, q])/(ratio^used - 1)
-        scale[q] = q == 4 ? 100 : 1000
+        last = fine[3, q] - fine[2, q]
+        quotient = last ? (fine[2, q] - fine[1, q])/last : 0
+        order[q] = quotient > 0 ? log(quotient)/log(ratio) : 0
+        used = order[q] < 1 ? 1 : order[q] > 2 ? 2 : order[q]
+        reference[q] = fine[3, q] + (quotient > 0 ? last/(ratio^used - 1) : 0)
     }
+
+    print "Changes in mm; melted volume over that at the start"
+    head("scheme")
     for (i = 1; i <= NR; ++i)
     {
-        printf "%-9s %9d %6s %6d %9.3g", label[i], particles[i], factor[i], steps[i], seconds[i]
-        for (q = 1; q <= 4; ++q) printf " %9.4f", scale[q]*value[i, q]
+        row(i)
+        for (q = 1; q <= 5; ++q) printf " %9.4f", scale[q]*value[i, q]
         print ""
     }
-    printf "%-42s", "reference, extrapolated"
-    for (q = 1; q <= 4; ++q) printf " %9.4f", scale[q]*reference[q]
-    printf "\n%-42s", "its distance from the finest, %"
-    for (q = 1; q <= 4; ++q) printf " %9.2f", 100*magnitude(fine[3, q]/reference[q] - 1)
-    printf "\n%-42s", "observed order"
-    for (q = 1; q <= 4; ++q) printf " %9.2f", p[q]
+    printf "%-43s", "reference, extrapolated"
+    for (q = 1; q <= 5; ++q) printf " %9.4f", scale[q]*reference[q]
+    printf "\n%-43s", "its distance from the finest, %"
+    for (q = 1; q <= 5; ++q) printf " %9.2f", 100*magnitude(fine[3, q]/reference[q] - 1)
+    printf "\n%-43s", "observed order"
+    for (q = 1; q <= 5; ++q) printf " %9s", order[q] ? sprintf("%.2f", order[q]) : "none"
 
-    print "\n\nErrors, % of the reference's change"
+    print "\n\nErrors, % of the reference"
+    head("scheme")
     for (i = 1; i <= NR; ++i)
     {
-        printf "%-9s %9d %6s %6d %9.3g", label[i], particles[i], factor[i], steps[i], seconds[i]
-        for (q = 1; q <= 4; ++q)
+        row(i)
+        for (q = 1; q <= 5; ++q)
         {
             error[i, q] = 100*(value[i, q]/reference[q] - 1)
             printf " %9.2f", error[i, q]
@@ -53,23 +62,25 @@ END {
         print ""
     }
 
-    print "\nSeconds of explicit over those of the cheapest robust that is nowhere less accurate"
-    printf "%-42s", "explicit"
-    for (q = 1; q <= 4; ++q) printf " %9s", name[q]
-    printf " %9s\n", "all four"
+    # The melted volume is left out of the last column: it moves with the layers
+    # of particles by more than conduction changes it
+    print "\nSeconds of explicit over those of the cheapest robust that is no less accurate"
+    printf "%-43s", "explicit, particles"
+    for (q = 1; q <= 5; ++q) printf " %9s", name[q]
+    print " first four"
     for (i = 1; i <= NR; ++i)
     {
         if (label[i] != "explicit") continue
-        printf "%-9s %9d %22s", label[i], particles[i], ""
-        for (q = 1; q <= 5; ++q)
+        printf "%-43d", particles[i]
+        for (q = 1; q <= 6; ++q)
         {
             least = 0
             for (j = 1; j <= NR; ++j)
             {
-                if (label[j] != "robust" || (least && seconds[j] >= least)) continue
-                good = 1
-                for (r = 1; r <= 4; ++r)
-                    if ((q == 5 || q == r) && magnitude(error[j, r]) > magnitude(error[i, r])) good = 0
+                good = label[j] == "robust" && !(least && seconds[j] >= least)
+                for (r = 1; r <= 5; ++r)
+                    if ((q == 6 ? r < 5 : q == r) && magnitude(error[j, r]) > magnitude(error[i, r]))
+                        good = 0
                 if (good) least = seconds[j]
             }
             printf " %9s", least ? sprintf("%.0f", seconds[i]/least) : "none"
