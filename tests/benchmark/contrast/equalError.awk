@@ -39,7 +39,7 @@ END {
     for (i = 1; i <= NR; ++i)
     {
         row(i)
-        for (q = 1; q <= 5; ++q) printf " %9.4f", scale[q]*value[i, q]
+        for (q = 1; q <= 5; ++q) printf " %9s", value[i, q] == "-" ? "-" : sprintf("%.4f", scale[q]*value[i, q])
         print ""
     }
     printf "%-43s", "reference, extrapolated"
@@ -57,7 +57,7 @@ END {
         for (q = 1; q <= 5; ++q)
         {
             error[i, q] = 100*(value[i, q]/reference[q] - 1)
-            printf " %9.2f", error[i, q]
+            printf " %9s", value[i, q] == "-" ? "-" : sprintf("%.2f", error[i, q])
         }
         print ""
     }

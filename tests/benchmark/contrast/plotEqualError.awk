@@ -1,41 +1,47 @@
-# Table of equalError to SVG: seconds a simulated second against the error, the root
-# mean square of the first four, both logarithmic
-function x(e) { return 70 + 130*log(e)/log(10) }
+# Table of equalError to SVG: seconds a simulated second against the error, both
+# logarithmic. Left that of all of the melt, right that of the outermost particles
+function x(e, panel) { return 70 + 280*panel + 80*(log(e < 0.1 ? 0.1 : e)/log(10) + 1) }
 function y(s) { return 300 - 65*log(s)/log(10) }
-function curve(points, colour, name, e, s)
+function panel(k, title, i)
 {
-    printf "<polyline points=\"%s\" fill=\"none\" stroke=\"%s\" stroke-width=\"2\"/>\n", points, colour
-    printf "<text x=\"%.1f\" y=\"%.1f\" fill=\"%s\">%s</text>\n", x(e) + 8, y(s) + 4, colour, name
+    for (i = 1; i in tick; ++i)
+    {
+        printf "<text x=\"%.1f\" y=\"318\" text-anchor=\"middle\">%s</text>\n", x(tick[i], k), tick[i]
+        printf "<line x1=\"%.1f\" x2=\"%.1f\" y1=\"300\" y2=\"40\" stroke=\"#ddd\"/>\n", x(tick[i], k), x(tick[i], k)
+    }
+    for (i = 0; i <= 4; ++i)
+    {
+        printf "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"end\">1e%d</text>\n", x(0.1, k) - 10, y(10^i) + 4, i
+        printf "<line x1=\"%.1f\" x2=\"%.1f\" y1=\"%.1f\" y2=\"%.1f\" stroke=\"#ddd\"/>\n", x(0.1, k), x(50, k), y(10^i), y(10^i)
+    }
+    printf "<text x=\"%.1f\" y=\"340\" text-anchor=\"middle\">%s</text>\n", x(2.2, k), title
+}
+function point(scheme, k, e)
+{
+    e = e < 0 ? -e : e
+    printf "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"%s\"/>\n", x(e, k), y($5), colour[scheme]
+    if ($3 == 1) points[scheme, k] = points[scheme, k] sprintf("%.1f,%.1f ", x(e, k), y($5))
 }
 BEGIN {
-    print "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"460\" height=\"360\" font-family=\"sans-serif\" font-size=\"12\">"
-    print "<rect width=\"460\" height=\"360\" fill=\"white\"/>"
-    split("1 2 5 10 20 50", tick, " ")
-    for (k = 1; k in tick; ++k)
-    {
-        printf "<text x=\"%.1f\" y=\"318\" text-anchor=\"middle\">%d</text>\n", x(tick[k]), tick[k]
-        printf "<line x1=\"%.1f\" x2=\"%.1f\" y1=\"300\" y2=\"40\" stroke=\"#ddd\"/>\n", x(tick[k]), x(tick[k])
-    }
-    for (k = 0; k <= 4; ++k)
-    {
-        printf "<text x=\"60\" y=\"%.1f\" text-anchor=\"end\">1e%d</text>\n", y(10^k) + 4, k
-        printf "<line x1=\"70\" x2=\"330\" y1=\"%.1f\" y2=\"%.1f\" stroke=\"#ddd\"/>\n", y(10^k), y(10^k)
-    }
-    print "<text x=\"200\" y=\"342\" text-anchor=\"middle\">error of centre, top, width and spread, root mean square [%]</text>"
-    print "<text x=\"20\" y=\"20\">seconds of CPU a simulated second</text>"
-    colours["robust"] = "#1f77b4"; colours["explicit"] = "#d62728"
-    names["robust"] = "robust"; names["explicit"] = "explicit (sibgrapi2006)"
+    split("0.1 0.5 1 2 5 10 20 50", tick, " ")
+    colour["robust"] = "#1f77b4"; colour["explicit"] = "#d62728"
+    print "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"600\" height=\"360\" font-family=\"sans-serif\" font-size=\"12\">"
+    print "<rect width=\"600\" height=\"360\" fill=\"white\"/>"
+    printf "<text x=\"20\" y=\"20\">seconds of CPU a simulated second:</text>"
+    printf "<text x=\"270\" y=\"20\" fill=\"%s\">robust</text>\n", colour["robust"]
+    printf "<text x=\"320\" y=\"20\" fill=\"%s\">explicit (sibgrapi2006)</text>\n", colour["explicit"]
+    panel(0, "error of centre, top and spread, rms [%]")
+    panel(1, "error of the half width [%]")
 }
 /^Errors/ { on = 1 }
 /^Seconds/ { on = 0 }
-on && $1 in colours {
-    e = sqrt(($6*$6 + $7*$7 + $8*$8 + $9*$9)/4)
-    printf "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"%s\"/>\n", x(e), y($5), colours[$1]
-    if ($3 != 1) next
-    points[$1] = points[$1] sprintf("%.1f,%.1f ", x(e), y($5))
-    if (!($1 in first)) { first[$1] = e; cost[$1] = $5 }
+on && $1 in colour {
+    point($1, 0, sqrt(($6*$6 + $7*$7 + $9*$9)/3))
+    point($1, 1, $8)
 }
 END {
-    for (name in points) curve(points[name], colours[name], names[name], first[name], cost[name])
+    for (scheme in colour)
+        for (k = 0; k < 2; ++k)
+            printf "<polyline points=\"%s\" fill=\"none\" stroke=\"%s\" stroke-width=\"2\"/>\n", points[scheme, k], colour[scheme]
     print "</svg>"
 }
