@@ -4,11 +4,11 @@
 function magnitude(x) { return x < 0 ? -x : x }
 function head(title, q)
 {
-    printf "%-9s %9s %6s %6s %9s", title, "particles", "factor", "steps", "CPU s/s"
+    printf "%-10s %9s %6s %6s %9s", title, "particles", "factor", "steps", "CPU s/s"
     for (q = 1; q <= 5; ++q) printf " %9s", name[q]
     print ""
 }
-function row(i) { printf "%-9s %9d %6s %6d %9.3g", label[i], particles[i], factor[i], steps[i], seconds[i] }
+function row(i) { printf "%-10s %9d %6s %6d %9.3g", label[i], particles[i], factor[i], steps[i], seconds[i] }
 BEGIN {
     split(sizes, size, " ")
     ratio = (size[2]/size[1])^(1/3)
@@ -42,11 +42,11 @@ END {
         for (q = 1; q <= 5; ++q) printf " %9s", value[i, q] == "-" ? "-" : sprintf("%.4f", scale[q]*value[i, q])
         print ""
     }
-    printf "%-43s", "reference, extrapolated"
+    printf "%-44s", "reference, extrapolated"
     for (q = 1; q <= 5; ++q) printf " %9.4f", scale[q]*reference[q]
-    printf "\n%-43s", "its distance from the finest, %"
+    printf "\n%-44s", "its distance from the finest, %"
     for (q = 1; q <= 5; ++q) printf " %9.2f", 100*magnitude(fine[3, q]/reference[q] - 1)
-    printf "\n%-43s", "observed order"
+    printf "\n%-44s", "observed order"
     for (q = 1; q <= 5; ++q) printf " %9s", order[q] ? sprintf("%.2f", order[q]) : "none"
 
     print "\n\nErrors, % of the reference"
@@ -64,14 +64,14 @@ END {
 
     # The melted volume is left out of the last column: it moves with the layers
     # of particles by more than conduction changes it
-    print "\nSeconds of explicit over those of the cheapest robust that is no less accurate"
-    printf "%-43s", "explicit, particles"
+    print "\nSeconds of these over those of the cheapest robust that is no less accurate"
+    printf "%-44s", "scheme and particles"
     for (q = 1; q <= 5; ++q) printf " %9s", name[q]
     print " first four"
     for (i = 1; i <= NR; ++i)
     {
-        if (label[i] != "explicit") continue
-        printf "%-43d", particles[i]
+        if (label[i] != "explicit" && label[i] != "unsmoothed") continue
+        printf "%-10s %33d", label[i], particles[i]
         for (q = 1; q <= 6; ++q)
         {
             least = 0
