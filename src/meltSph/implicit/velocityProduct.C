@@ -14,6 +14,7 @@
 namespace
 {
 
+using Foam::melt::float4;
 using Foam::melt::float8;
 using Foam::melt::vectorArray;
 
@@ -59,7 +60,7 @@ void Foam::melt::velocityProduct::setStress(const vectorArray& velocity)
         near_.forEach([&](const int i, const auto& row)
         {
             const auto W = kernel;
-            const quad vi = v_[i];
+            const quad vi = v_[i].v;
             float8 xx{}, xy{}, xz{}, yx{}, yy{}, yz{}, zx{}, zy{}, zz{};
             float8 fx{}, fy{}, fz{};
 
@@ -68,9 +69,9 @@ void Foam::melt::velocityProduct::setStress(const vectorArray& velocity)
                 const std::int32_t* const j = row.sources + k;
                 const pairVectors p
                 (
-                    W, places_.data(), unit_, near.solid(), i, j
+                    W, v_, unit_, near.solid(), i, j
                 );
-                const std::array<float8, 4> vj(gather(v_.data(), j));
+                const std::array<float8, 4> vj(gather(v_, v_[0].v, j));
                 const float8 u = vj[0] - vi.a[0];
                 const float8 v = vj[1] - vi.a[1];
                 const float8 w = vj[2] - vi.a[2];
@@ -162,7 +163,7 @@ void Foam::melt::velocityProduct::setStress
 
     for (int a = 0; a < 3; ++a)
     {
-        Q_[i][a] =
+        Q_[i].Q[a] =
             {{float(Q(0, a)), float(Q(1, a)), float(Q(2, a)), float(own[a])}};
     }
 }
@@ -179,41 +180,49 @@ void Foam::melt::velocityProduct::sumForces(vectorArray& Kv) const
         {
             const auto W = kernel;
 
-            const quad* const Q = Q_.data()->data();
-
             // Q_j alone in the loop, Q_i times the sum of g after it
-            float8 fx{}, fy{}, fz{}, gx{}, gy{}, gz{};
-            for (int k = 0; k < row.size(); k += 8)
+            constexpr int most = 128;
+            alignas(32) float g[3][most];
+            float4 force[3] = {};
+            float8 sumG[3] = {};
+            for (int first = 0; first < row.size(); first += most)
             {
-                const std::int32_t* const j = row.sources + k;
-                const pairVectors p
-                (
-                    W, places_.data(), unit_, near.solid(), i, j
-                );
-                const float8 g[3] = {p.c*p.x, p.c*p.y, p.c*p.z};
-                gx += g[0];
-                gy += g[1];
-                gz += g[2];
-                for (int a = 0; a < 3; ++a)
+                const std::int32_t* const j = row.sources + first;
+                const int n = std::min(most, row.size() - first);
+                for (int k = 0; k < n; k += 8)
                 {
-                    const std::array<float8, 4> column(gather<3>(Q + a, j));
-                    fx += column[0]*g[a];
-                    fy += column[1]*g[a];
-                    fz += column[2]*g[a];
+                    const pairVectors p
+                    (
+                        W, Q_, unit_, near.solid(), i, j + k
+                    );
+                    const float8 c[3] = {p.c*p.x, p.c*p.y, p.c*p.z};
+                    for (int a = 0; a < 3; ++a)
+                    {
+                        sumG[a] += c[a];
+                        std::memcpy(&g[a][k], &c[a], sizeof(c[a]));
+                    }
+                }
+                // Columns are vectors already: not worth transposing
+                for (int k = 0; k < n; ++k)
+                {
+                    const quad* const Qj = Q_[j[k]].Q;
+                    for (int a = 0; a < 3; ++a)
+                    {
+                        force[a] += load(Qj[a])*g[a][k];
+                    }
                 }
             }
 
-            const quad* const Qi = Q + 3*i;
-            const vector g(sum(gx), sum(gy), sum(gz));
-            vector own(sum(fx), sum(fy), sum(fz));
+            const quad* const Qi = Q_[i].Q;
             for (int a = 0; a < 3; ++a)
             {
-                own += g[a]*vector(Qi[a].a[0], Qi[a].a[1], Qi[a].a[2]);
+                force[a] += load(Qi[a])*sum(sumG[a]);
             }
-            own *= system_->fluid.V[i]/h;
-            Kv.x[i] = -(own.x() + Qi[0].a[3]);
-            Kv.y[i] = -(own.y() + Qi[1].a[3]);
-            Kv.z[i] = -(own.z() + Qi[2].a[3]);
+            const float4 total = force[0] + force[1] + force[2];
+            const double scale = system_->fluid.V[i]/h;
+            Kv.x[i] = -(scale*total[0] + Qi[0].a[3]);
+            Kv.y[i] = -(scale*total[1] + Qi[1].a[3]);
+            Kv.z[i] = -(scale*total[2] + Qi[2].a[3]);
         });
     });
 }
@@ -234,7 +243,6 @@ void Foam::melt::velocityProduct::build
     const double h = kernel.h();
     const double volume = std::pow(h, kernel.dimensions())*kernel.depth();
     const int n = f.size();
-    places_.resize(n);
     v_.resize(n);
     Q_.resize(n);
 
@@ -246,7 +254,7 @@ void Foam::melt::velocityProduct::build
     #pragma omp parallel for schedule(static)
     for (int i = 0; i < n; ++i)
     {
-        places_[i] =
+        v_[i].at =
         {
             {
                 space.place(f.x[i], 0),
@@ -255,6 +263,7 @@ void Foam::melt::velocityProduct::build
             },
             float(f.V[i]/volume)
         };
+        Q_[i].at = v_[i].at;
     }
 
     const double radius2 = sqr(kernel.support()/h);
@@ -265,7 +274,7 @@ void Foam::melt::velocityProduct::build
         {
             q2 += sqr
             (
-                unit_[a]*std::int32_t(places_[i].x[a] - places_[j].x[a])
+                unit_[a]*std::int32_t(v_[i].at.x[a] - v_[j].at.x[a])
             );
         }
         return q2 < radius2 && !system.near.idle(i);
@@ -282,7 +291,7 @@ void Foam::melt::velocityProduct::apply(const vectorArray& v, vectorArray& Kv)
     #pragma omp parallel for schedule(static)
     for (int i = 0; i < n; ++i)
     {
-        v_[i] =
+        v_[i].v =
         {{
             float(v.x[i]), float(v.y[i]), float(v.z[i]),
             eta ? float(eta[i]) : 0.0f
@@ -298,8 +307,7 @@ void Foam::melt::velocityProduct::apply(const vectorArray& v, vectorArray& Kv)
 std::size_t Foam::melt::velocityProduct::bytes() const
 {
     return
-        sizeof(place)*places_.capacity()
-      + sizeof(quad)*(v_.capacity() + 3*Q_.capacity())
+        sizeof(motion)*v_.capacity() + sizeof(stress)*Q_.capacity()
       + near_.bytes();
 }
 
