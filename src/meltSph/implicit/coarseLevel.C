@@ -164,7 +164,10 @@ bool Foam::melt::coarseLevel::build
         diagonal = diagonal > 0 ? (1 + roundOff)*diagonal : 1;
     }
 
+    A.makeCompressed();
     nodes_.resize(n);
+    factor_.isSymmetric(true);
+    factor_.setPivotThreshold(0);
     factor_.compute(A);
     return factor_.info() == Eigen::Success;
 }
@@ -186,8 +189,7 @@ std::size_t Foam::melt::coarseLevel::bytes() const
 {
     return
         grid_.bytes() + sizeof(double)*nodes_.size()
-      + (sizeof(double) + sizeof(int))
-       *(nodes_.size() ? factor_.matrixL().nestedExpression().nonZeros() : 0);
+      + (nodes_.size() ? sizeof(double)*(factor_.nnzL() + factor_.nnzU()) : 0);
 }
 
 // ************************************************************************* //

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "trilinearGrid.H"
+#include "nestedDissection.H"
 #include "particles.H"
 
 #include <cmath>
@@ -129,6 +130,7 @@ void Foam::melt::trilinearGrid::setCorners(const std::vector<index>& cells)
         }
     }
     makeSet(nodes);
+    const std::vector<int> place(nestedDissection(nodes));
 
     corners_.resize(cells.size());
     std::vector<int> nodeOf;
@@ -137,7 +139,7 @@ void Foam::melt::trilinearGrid::setCorners(const std::vector<index>& cells)
     {
         for (int c = 0; c < nCorners; ++c)
         {
-            corners_[k][c] = find(nodes, corner(cells[k], c));
+            corners_[k][c] = place[find(nodes, corner(cells[k], c))];
             nodeOf.push_back(corners_[k][c]);
         }
     }

@@ -161,7 +161,7 @@ bool Foam::melt::velocitySolver::solve
     {
         product_.build(system, parts);
     }
-    const bool coarse =
+    bool coarse =
         coarseSpacing_ > 0
      && coarse_.build
         (
@@ -268,6 +268,12 @@ bool Foam::melt::velocitySolver::solve
         {
             // A contrast of viscosities beyond single precision
             described = false;
+            setGuess();
+        }
+        else if (!result.converged && coarse)
+        {
+            // Beyond the factors, too
+            coarse = false;
             setGuess();
         }
         else if (!result.converged)

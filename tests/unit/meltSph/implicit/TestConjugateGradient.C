@@ -21,7 +21,8 @@ namespace
 conjugateGradient<vectorArray>::result solve
 (
     const double factor,
-    vectorArray& x
+    vectorArray& x,
+    const double preconditioner = 1
 )
 {
     const int n = 5;
@@ -40,9 +41,10 @@ conjugateGradient<vectorArray>::result solve
             Ap.z[i] = factor*p.z[i];
         }
     };
-    const auto precondition = [](const vectorArray& a, vectorArray& b)
+    const auto precondition = [&](const vectorArray& a, vectorArray& b)
     {
         b = a;
+        b.multiply(std::vector<double>(n, preconditioner));
     };
     const auto scale = [](const vectorArray&) { return 1.0; };
 
@@ -76,6 +78,13 @@ TEST(ConjugateGradient, indefiniteMatrixHasNotConverged)
     vectorArray x;
     EXPECT_FALSE(solve(-1, x).converged);
     EXPECT_FALSE(solve(0, x).converged);
+}
+
+
+TEST(ConjugateGradient, negativePreconditionerHasNotConverged)
+{
+    vectorArray x;
+    EXPECT_FALSE(solve(4, x, -1).converged);
 }
 
 // ************************************************************************* //
