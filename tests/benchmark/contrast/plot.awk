@@ -24,8 +24,8 @@ BEGIN {
 }
 NR > 1 {
     robust = robust sprintf("%.1f,%.1f ", x($1), y($3))
-    explicit = explicit sprintf("%.1f,%.1f ", x($1), y($8))
-    J = $1; r = $3; e = $8
+    explicit = explicit sprintf("%.1f,%.1f ", x($1), y($9))
+    J = $1; r = $3; e = $9
 }
 END {
     curve(robust, "#1f77b4", "robust", J, r)

@@ -25,12 +25,14 @@ function point(scheme, k, e)
 BEGIN {
     split("0.1 0.5 1 2 5 10 20 50", tick, " ")
     colour["robust"] = "#1f77b4"; colour["explicit"] = "#d62728"; colour["unsmoothed"] = "#ff7f0e"
-    print "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"600\" height=\"360\" font-family=\"sans-serif\" font-size=\"12\">"
-    print "<rect width=\"600\" height=\"360\" fill=\"white\"/>"
+    colour["tensionless"] = "#17becf"
+    print "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"620\" height=\"360\" font-family=\"sans-serif\" font-size=\"12\">"
+    print "<rect width=\"620\" height=\"360\" fill=\"white\"/>"
     printf "<text x=\"20\" y=\"20\">seconds of CPU a simulated second:</text>"
     printf "<text x=\"270\" y=\"20\" fill=\"%s\">robust</text>\n", colour["robust"]
-    printf "<text x=\"320\" y=\"20\" fill=\"%s\">explicit (sibgrapi2006)</text>\n", colour["explicit"]
-    printf "<text x=\"465\" y=\"20\" fill=\"%s\">unsmoothed</text>\n", colour["unsmoothed"]
+    printf "<text x=\"315\" y=\"20\" fill=\"%s\">tensionless</text>\n", colour["tensionless"]
+    printf "<text x=\"390\" y=\"20\" fill=\"%s\">explicit (sibgrapi2006)</text>\n", colour["explicit"]
+    printf "<text x=\"535\" y=\"20\" fill=\"%s\">unsmoothed</text>\n", colour["unsmoothed"]
     panel(0, "error of centre, top and spread, rms [%]")
     panel(1, "error of the half width [%]")
 }
