@@ -37,15 +37,15 @@ BEGIN {
             for (q = 1; q <= 5; ++q) fine[k, q] = $(5 + q)
 }
 END {
-    # Extrapolated by the observed order, at least 1 and at most 2; where there is
-    # none, that is where the values go to and fro, the finest
+    # Extrapolated by the observed order, at most 2; the finest where that is below
+    # 1, or there is none as the values go to and fro
     for (q = 1; q <= 5; ++q)
     {
         last = fine[3, q] - fine[2, q]
         growth = last ? (fine[2, q] - fine[1, q])/last : 0
         order[q] = growth > 0 ? log(growth)/log(ratio) : 0
-        used = order[q] < 1 ? 1 : order[q] > 2 ? 2 : order[q]
-        reference[q] = fine[3, q] + (growth > 0 ? last/(ratio^used - 1) : 0)
+        reference[q] = fine[3, q]
+        if (order[q] >= 1) reference[q] += last/(ratio^(order[q] > 2 ? 2 : order[q]) - 1)
     }
 
     print "Changes in mm; melted volume over that at the start"
