@@ -1,6 +1,6 @@
 # Table of equalError to SVG: seconds a simulated second against the error, both
 # logarithmic. Left that of all of the melt, right that of the outermost particles
-function x(e, panel) { return 70 + 280*panel + 80*(log(e < 0.1 ? 0.1 : e)/log(10) + 1) }
+function x(e, panel) { return 70 + 280*panel + 80*(log(e)/log(10) + 1) }
 function y(s) { return 300 - 65*log(s)/log(10) }
 function panel(k, title, i)
 {
@@ -19,6 +19,8 @@ function panel(k, title, i)
 function point(scheme, k, e)
 {
     e = e < 0 ? -e : e
+    # The reference's own
+    if (e < 0.1) return
     printf "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"%s\"/>\n", x(e, k), y($5), colour[scheme]
     if ($3 == 1) points[scheme, k] = points[scheme, k] sprintf("%.1f,%.1f ", x(e, k), y($5))
 }
