@@ -266,9 +266,15 @@ void Foam::melt::velocityProduct::build
         Q_[i].at = v_[i].at;
     }
 
+    // A solid feels liquid alone
     const double radius2 = sqr(kernel.support()/h);
+    const double* const solid = system.near.solid();
     near_.select(system.near.fluid(), [&](const int i, const int j)
     {
+        if (solid && solid[i] > 0 && solid[j] > 0)
+        {
+            return false;
+        }
         double q2 = 0;
         for (int a = 0; a < 3; ++a)
         {
@@ -277,7 +283,7 @@ void Foam::melt::velocityProduct::build
                 unit_[a]*std::int32_t(v_[i].at.x[a] - v_[j].at.x[a])
             );
         }
-        return q2 < radius2 && !system.near.idle(i);
+        return q2 < radius2;
     });
 }
 

@@ -119,9 +119,7 @@ Foam::word Foam::melt::incompressible::kick(const scalar dt)
     keepState();
     equations_.evaluate();
     // What has just become part of a solid moves with it now
-    before_.x = f.u;
-    before_.y = f.v;
-    before_.z = f.w;
+    before_.assign(f.u, f.v, f.w);
     changeDensity(dt/2);
 
     // Solved for the mean velocity, over the implicit share of the step. The
@@ -140,9 +138,7 @@ Foam::word Foam::melt::incompressible::kick(const scalar dt)
         f.v[i] += share*f.ay[i];
         f.w[i] += share*f.az[i];
     }
-    predicted_.x = f.u;
-    predicted_.y = f.v;
-    predicted_.z = f.w;
+    predicted_.assign(f.u, f.v, f.w);
     for (label nSolved = 1; ; ++nSolved)
     {
         if (!equations_.implicitUpdate(share, guess_))
@@ -154,9 +150,7 @@ Foam::word Foam::melt::incompressible::kick(const scalar dt)
         {
             break;
         }
-        guess_.x = f.u;
-        guess_.y = f.v;
-        guess_.z = f.w;
+        guess_.assign(f.u, f.v, f.w);
         f.u = predicted_.x;
         f.v = predicted_.y;
         f.w = predicted_.z;

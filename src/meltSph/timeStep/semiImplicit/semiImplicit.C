@@ -43,9 +43,7 @@ bool Foam::melt::semiImplicit::step(const scalar dt)
     const bool heat = !f.dH.empty();
     const bool xsph = !f.du.empty();
 
-    before_.x = f.u;
-    before_.y = f.v;
-    before_.z = f.w;
+    before_.assign(f.u, f.v, f.w);
 
     #pragma omp parallel for simd schedule(static)
     for (int i = 0; i < n; ++i)

@@ -70,4 +70,10 @@ TEST(FixedPointSpace, aPlaneHasNoExtent)
     EXPECT_EQ(difference(space, 0.5, 0.5), 0);
 }
 
+
+TEST(FixedPointSpace, noParticles)
+{
+    EXPECT_EQ(fixedPointSpace(along({}), periodicBox()).unit(0), 1);
+}
+
 // ************************************************************************* //

@@ -4,13 +4,9 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "densityLump.H"
-#include "implicitPressure.H"
 #include "latticeMoment.H"
-#include "meltSph/particleCloud/cloudVectors.H"
-#include "meltSph/timeStep/schemeCase.H"
+#include "pressureCase.H"
 #include "pressureForce.H"
-#include "wholeSupport.H"
 
 #include <gtest/gtest.h>
 
@@ -20,68 +16,6 @@ namespace melt
 {
 namespace unitTest
 {
-namespace
-{
-
-//- The operator over a cloud, c = 20 m/s
-struct operatorCase
-{
-    schemeCase scheme;
-    pressureOperator pressure;
-
-    operatorCase
-    (
-        const particleCloud& cloud,
-        const scalar deltaT,
-        const bool tension = true,
-        const scalar maxCondition = 100
-    )
-    :
-        scheme(cloud, springAndDamper(1, 0)),
-        pressure(scheme.system, tension, maxCondition)
-    {
-        scheme.system.near = cloud.near;
-        scheme.system.walls = cloud.walls;
-        scheme.system.fluid = cloud.fluid;
-        scheme.system.soundSpeed = 20;
-        pressure.update(deltaT);
-    }
-
-    //- s: where the pressure is negative walls have no part
-    double support(const int i) const
-    {
-        const particles& f = scheme.system.fluid;
-        const wallState& w = scheme.system.walls;
-        if (f.rho[i] < scheme.system.thermo.rho())
-        {
-            return 1;
-        }
-        double behind = 0;
-        scheme.system.near.kernel().visit([&](const auto& W)
-        {
-            for (std::size_t j = 0; j < w.size(); ++j)
-            {
-                behind += w.volume[j]
-                   *W.value
-                    (
-                        sqr(f.x[i] - w.x[j]) + sqr(f.y[i] - w.y[j])
-                      + sqr(f.z[i] - w.z[j])
-                    );
-            }
-        });
-        return wholeSupport(behind);
-    }
-
-    vectorArray force(const vectorArray& v, const double sources = 0)
-    {
-        vectorArray f(v.size());
-        pressure.addForce(v, sources, f);
-        return f;
-    }
-};
-
-} // End anonymous namespace
-
 
 TEST(PressureOperator, isSymmetricAndTakesEnergyAlsoAtAWall)
 {
@@ -91,7 +25,7 @@ TEST(PressureOperator, isSymmetricAndTakesEnergyAlsoAtAWall)
 
     for (const bool tension : {true, false})
     {
-        operatorCase test(cloud, 1e-3, tension);
+        pressureCase test(cloud, 1e-3, tension);
         const vectorArray a(randomVelocity(cloud));
         const vectorArray b(randomVelocity(cloud));
         const vectorArray fa(test.force(a));
@@ -107,7 +41,7 @@ TEST(PressureOperator, workIsPressureTimesDivergence)
     particleCloud cloud(densityLump(4));
     cloud.addWall(1, false);
     cloud.build();
-    operatorCase test(cloud, 1e-3);
+    pressureCase test(cloud, 1e-3);
     particles& f = test.scheme.system.fluid;
 
     const vectorArray v(randomVelocity(cloud));
@@ -145,10 +79,10 @@ TEST(PressureOperator, weightedVelocitiesGiveThePressureOfTheEnd)
     mean.multiply(std::vector<double>(end.size(), theta));
     mean.add(1 - theta, before);
 
-    operatorCase whole(cloud, deltaT);
+    pressureCase whole(cloud, deltaT);
     const vectorArray force(whole.force(end, 1));
 
-    operatorCase weighted(cloud, deltaT);
+    pressureCase weighted(cloud, deltaT);
     particles& f = weighted.scheme.system.fluid;
     f.u = before.x;
     f.v = before.y;
@@ -170,7 +104,7 @@ TEST(PressureOperator, weightedVelocitiesGiveThePressureOfTheEnd)
 // corners, and within; in the layer between to 2 % of the strain
 TEST(PressureOperator, strainThatKeepsTheVolumeHasNoDivergence)
 {
-    operatorCase test
+    pressureCase test
     (
         particleCloud
         (
@@ -208,7 +142,7 @@ TEST(PressureOperator, strainThatKeepsTheVolumeHasNoDivergence)
 TEST(PressureOperator, keepsBothMomenta)
 {
     particleCloud cloud(densityLump(5));
-    operatorCase test(cloud, 1e-3);
+    pressureCase test(cloud, 1e-3);
     const particles& f = test.scheme.system.fluid;
     const int n = f.size();
 
@@ -229,118 +163,12 @@ TEST(PressureOperator, keepsBothMomenta)
 }
 
 
-// Melt at rest under its own weight: the floor carries its lowest layer as the
-// melt below carries the others
-TEST(PressureOperator, floorCarriesTheWeight)
-{
-    const smoothingKernel::kernelType kernel =
-        smoothingKernel::kernelType::wendlandC2;
-    particleCloud cloud(lattice{{9, 9, 9}, 0.01, kernel, 1.3});
-    cloud.addWall(1, false);
-    cloud.build();
-
-    operatorCase test(cloud, 0);
-    sphSystem& s = test.scheme.system;
-    particles& f = s.fluid;
-    s.g = {0, -10, 0};
-    const double rho0 = s.thermo.rho();
-    for (int i = 0; i < f.size(); ++i)
-    {
-        f.rho[i] = rho0*(1 + 10*(0.09 - f.y[i])/400);
-        f.V[i] = f.m[i]/f.rho[i];
-    }
-    test.pressure.update(0);
-
-    const vectorArray force(test.force(vectorArray(f.size()), 1));
-    for (int i = 0; i < f.size(); ++i)
-    {
-        if (std::abs(f.x[i] - 0.045) < 1e-6 && std::abs(f.z[i] - 0.045) < 1e-6
-         && f.y[i] < 0.05)
-        {
-            EXPECT_NEAR(force.y[i]/(10*f.m[i]), 1, 0.03) << f.y[i];
-        }
-    }
-}
-
-
-// Side walls of a pool carry a part of it, but none of what falls
-TEST(PressureOperator, wallsDoNotHoldUpWhatFalls)
-{
-    particleCloud cloud(densityLump(8));
-    cloud.addWall(0, false);
-    cloud.build();
-    const int n = cloud.size();
-    const vectorArray still(n);
-
-    const auto forceOf = [&](const double g, const double acceleration)
-    {
-        operatorCase test(cloud, 0);
-        particles& f = test.scheme.system.fluid;
-        test.scheme.system.g = {0, g, 0};
-        f.axOld.assign(n, 0);
-        f.ayOld.assign(n, acceleration);
-        f.azOld.assign(n, 0);
-        test.pressure.update(0);
-        return test.force(still, 1);
-    };
-    const auto change = [&](const double acceleration)
-    {
-        vectorArray difference(forceOf(-10, acceleration));
-        difference.add(-1, forceOf(0, 0));
-        return norm(difference);
-    };
-
-    const double atRest = change(0);
-    EXPECT_GT(atRest, 0);
-    EXPECT_NEAR(change(-5)/atRest, 0.5, 1e-3);
-    EXPECT_EQ(change(-10), 0);
-    EXPECT_EQ(change(-20), 0);
-    EXPECT_EQ(change(5), atRest);
-}
-
-
-// Of a strain along a wall a particle beside it feels as much as one far away;
-// of one towards it the row at the wall a fifth more
-TEST(PressureOperator, strainAtAWall)
-{
-    const smoothingKernel::kernelType kernel =
-        smoothingKernel::kernelType::wendlandC2;
-    particleCloud cloud(lattice{{9, 9, 9}, 0.01, kernel, 1.2});
-    cloud.addWall(1, false);
-    cloud.build();
-    operatorCase test(cloud, 0);
-    particles& f = test.scheme.system.fluid;
-    const int n = f.size();
-    const vectorArray zero(n);
-
-    std::vector<double> along(n), towards(n);
-    f.u = f.x;
-    f.v = zero.y;
-    f.w = zero.z;
-    test.pressure.divergence(along);
-    f.u = zero.x;
-    f.v = f.y;
-    test.pressure.divergence(towards);
-
-    for (int i = 0; i < n; ++i)
-    {
-        if (std::abs(f.x[i] - 0.045) < 1e-6 && std::abs(f.z[i] - 0.045) < 1e-6
-         && f.y[i] < 0.05)
-        {
-            EXPECT_NEAR(along[i], 1, 0.01) << f.y[i];
-            EXPECT_NEAR(towards[i], f.y[i] < 0.01 ? 1.22 : 1, 0.02)
-                << f.y[i];
-        }
-    }
-}
-
-
 // In a step of no length the pressure is that of the state; where the gradient
 // is not corrected, the force is the explicit one over that of a lattice
 TEST(PressureOperator, withoutAStepIsTheExplicitForce)
 {
     particleCloud cloud(densityLump(6));
-    operatorCase test(cloud, 0, true, 1);
+    pressureCase test(cloud, 0, true, 1);
     particles& f = test.scheme.system.fluid;
     for (int i = 0; i < f.size(); ++i)
     {
@@ -371,7 +199,7 @@ TEST(PressureOperator, diagonalIsThatOfTheOperator)
     particleCloud cloud(densityLump(7));
     cloud.addWall(1, false);
     cloud.build();
-    operatorCase test(cloud, 1e-3);
+    pressureCase test(cloud, 1e-3);
     const int n = cloud.size();
 
     implicitOperator::blocks blocks;

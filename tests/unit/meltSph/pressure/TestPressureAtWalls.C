@@ -1,0 +1,128 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "latticeMoment.H"
+#include "pressureCase.H"
+
+#include <gtest/gtest.h>
+
+namespace Foam
+{
+namespace melt
+{
+namespace unitTest
+{
+
+// Melt at rest under its own weight: the floor carries its lowest layer as the
+// melt below carries the others
+TEST(PressureAtWalls, floorCarriesTheWeight)
+{
+    const smoothingKernel::kernelType kernel =
+        smoothingKernel::kernelType::wendlandC2;
+    particleCloud cloud(lattice{{9, 9, 9}, 0.01, kernel, 1.3});
+    cloud.addWall(1, false);
+    cloud.build();
+
+    pressureCase test(cloud, 0);
+    sphSystem& s = test.scheme.system;
+    particles& f = s.fluid;
+    s.g = {0, -10, 0};
+    const double rho0 = s.thermo.rho();
+    for (int i = 0; i < f.size(); ++i)
+    {
+        f.rho[i] = rho0*(1 + 10*(0.09 - f.y[i])/400);
+        f.V[i] = f.m[i]/f.rho[i];
+    }
+    test.pressure.update(0);
+
+    const vectorArray force(test.force(vectorArray(f.size()), 1));
+    for (int i = 0; i < f.size(); ++i)
+    {
+        if (std::abs(f.x[i] - 0.045) < 1e-6 && std::abs(f.z[i] - 0.045) < 1e-6
+         && f.y[i] < 0.05)
+        {
+            EXPECT_NEAR(force.y[i]/(10*f.m[i]), 1, 0.03) << f.y[i];
+        }
+    }
+}
+
+
+// Side walls of a pool carry a part of it, but none of what falls
+TEST(PressureAtWalls, wallsDoNotHoldUpWhatFalls)
+{
+    particleCloud cloud(densityLump(8));
+    cloud.addWall(0, false);
+    cloud.build();
+    const int n = cloud.size();
+    const vectorArray still(n);
+
+    const auto forceOf = [&](const double g, const double acceleration)
+    {
+        pressureCase test(cloud, 0);
+        particles& f = test.scheme.system.fluid;
+        test.scheme.system.g = {0, g, 0};
+        f.axOld.assign(n, 0);
+        f.ayOld.assign(n, acceleration);
+        f.azOld.assign(n, 0);
+        test.pressure.update(0);
+        return test.force(still, 1);
+    };
+    const auto change = [&](const double acceleration)
+    {
+        vectorArray difference(forceOf(-10, acceleration));
+        difference.add(-1, forceOf(0, 0));
+        return norm(difference);
+    };
+
+    const double atRest = change(0);
+    EXPECT_GT(atRest, 0);
+    EXPECT_NEAR(change(-5)/atRest, 0.5, 1e-3);
+    EXPECT_EQ(change(-10), 0);
+    EXPECT_EQ(change(-20), 0);
+    EXPECT_EQ(change(5), atRest);
+}
+
+
+// Of a strain along a wall a particle beside it feels as much as one far away;
+// of one towards it the row at the wall a fifth more
+TEST(PressureAtWalls, strainAtAWall)
+{
+    const smoothingKernel::kernelType kernel =
+        smoothingKernel::kernelType::wendlandC2;
+    particleCloud cloud(lattice{{9, 9, 9}, 0.01, kernel, 1.2});
+    cloud.addWall(1, false);
+    cloud.build();
+    pressureCase test(cloud, 0);
+    particles& f = test.scheme.system.fluid;
+    const int n = f.size();
+    const vectorArray zero(n);
+
+    std::vector<double> along(n), towards(n);
+    f.u = f.x;
+    f.v = zero.y;
+    f.w = zero.z;
+    test.pressure.divergence(along);
+    f.u = zero.x;
+    f.v = f.y;
+    test.pressure.divergence(towards);
+
+    for (int i = 0; i < n; ++i)
+    {
+        if (std::abs(f.x[i] - 0.045) < 1e-6 && std::abs(f.z[i] - 0.045) < 1e-6
+         && f.y[i] < 0.05)
+        {
+            EXPECT_NEAR(along[i], 1, 0.01) << f.y[i];
+            EXPECT_NEAR(towards[i], f.y[i] < 0.01 ? 1.22 : 1, 0.02)
+                << f.y[i];
+        }
+    }
+}
+
+} // End namespace unitTest
+} // End namespace melt
+} // End namespace Foam
+
+// ************************************************************************* //
