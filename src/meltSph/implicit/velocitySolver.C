@@ -162,7 +162,7 @@ bool Foam::melt::velocitySolver::solve
         product_.build(system, parts);
     }
     bool coarse =
-        coarseSpacing_ > 0
+        coarseSpacing_ > 0 && n > 0
      && coarse_.build
         (
             system, parts, deltaT, coarseSpacing_*system.spacing
