@@ -8,7 +8,6 @@
 #include "quietLog.H"
 #include "Time.H"
 #include "vector2D.H"
-#include "withOtherRanks.H"
 
 #include <cmath>
 
@@ -132,25 +131,33 @@ void Foam::melt::meltInterface::moveEnthalpy
         )
     );
 
-    // alpha is already that of the end
-    const scalarField& V = mesh.V();
-    scalarField alphaStart(alpha_.primitiveField());
-    const auto forAllFluxes = [&](const auto& action)
+    // What goes through a face from its owner
+    const auto forAllFluxes =
+        [&](const surfaceScalarField& flux, const auto& action)
     {
         forAll(mesh.neighbour(), facei)
         {
-            action(facei, volume()[facei]*deltaT);
+            action(facei, flux[facei]*deltaT);
         }
-        forAll(volume().boundaryField(), patchi)
+        for (const fvsPatchScalarField& patch : flux.boundaryField())
         {
-            const fvsPatchScalarField& patch = volume().boundaryField()[patchi];
             forAll(patch, i)
             {
-                action(mesh.boundary()[patchi].start() + i, patch[i]*deltaT);
+                action(patch.patch().start() + i, patch[i]*deltaT);
             }
         }
     };
-    forAllFluxes([&](const label facei, const scalar dV)
+    const label firstBetween = mesh_.firstBetween();
+    const auto leaves = [&](const label facei)
+    {
+        return !mesh.isInternalFace(facei) && facei < firstBetween;
+    };
+
+    // alpha is already that of the end
+    vector2D lost(Zero);
+    const scalarField& V = mesh.V();
+    scalarField alphaStart(alpha_.primitiveField());
+    forAllFluxes(volume(), [&](const label facei, const scalar dV)
     {
         alphaStart[mesh.faceOwner()[facei]] += dV/V[mesh.faceOwner()[facei]];
         if (mesh.isInternalFace(facei))
@@ -158,6 +165,7 @@ void Foam::melt::meltInterface::moveEnthalpy
             const label nei = mesh.neighbour()[facei];
             alphaStart[nei] -= dV/V[nei];
         }
+        lost.x() += leaves(facei) ? dV : 0;
     });
 
     scalarField h(alphaH);
@@ -165,27 +173,20 @@ void Foam::melt::meltInterface::moveEnthalpy
     {
         h[celli] = alphaStart[celli] > VSMALL ? h[celli]/alphaStart[celli] : 0;
     }
-    vector2D lost(Zero);
-    const withOtherRanks hOf(mesh, h);
-    const label firstBetween = mesh_.firstBetween();
-    forAllFluxes([&](const label facei, const scalar dV)
+    const tmp<surfaceScalarField> enthalpy
+    (
+        volume()*carried_.at(alphaStart, h, volume(), deltaT)
+    );
+    forAllFluxes(enthalpy(), [&](const label facei, const scalar dH)
     {
         const label own = mesh.faceOwner()[facei];
-        const bool inner = mesh.isInternalFace(facei);
-        const bool leaves = !inner && facei < firstBetween;
-        const scalar carried =
-            dV*(dV > 0 || leaves ? h[own] : hOf.beyond(facei));
-        alphaH[own] -= carried/V[own];
-        if (inner)
+        alphaH[own] -= dH/V[own];
+        if (mesh.isInternalFace(facei))
         {
             const label nei = mesh.neighbour()[facei];
-            alphaH[nei] += carried/V[nei];
+            alphaH[nei] += dH/V[nei];
         }
-        else if (leaves)
-        {
-            lost.x() += dV;
-            lost.y() += carried;
-        }
+        lost.y() += leaves(facei) ? dH : 0;
     });
     reduce(lost, sumOp<vector2D>());
     lostVolume_ += lost.x();
@@ -232,7 +233,8 @@ Foam::melt::meltInterface::meltInterface(eulerianMesh& mesh)
         dimensionedVector(dimVelocity, Zero),
         conditions(mesh, "fixedValue", "zeroGradient")
     ),
-    advection_(alpha_, phi_, U_)
+    advection_(alpha_, phi_, U_),
+    carried_(mesh)
 {
     forAll(U_.boundaryField(), patchi)
     {
