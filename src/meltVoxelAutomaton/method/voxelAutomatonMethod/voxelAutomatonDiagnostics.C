@@ -5,8 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "voxelAutomatonMethod.H"
-
-#include <cmath>
+#include "meltExtent.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -134,13 +133,10 @@ Foam::melt::voxelAutomatonMethod::diagnostics() const
 
     // A film is seen where it is thicker than 1/1000 voxel; that of a few
     // units of mass has a temperature of a few units of enthalpy
-    const std::int32_t seen = voxelMaterial::full/1000;
+    constexpr scalar seen = 0.001;
     scalar liquid = 0;
     d.minT = GREAT;
     d.maxT = -GREAT;
-    boundBox bounds(boundBox::invertedBox);
-    const std::array<double, 3> centre = frame_.coordinates(initialCentre_);
-    scalar low = GREAT, high = -GREAT;
     forAllMelt
     (
         grid_,
@@ -149,29 +145,16 @@ Foam::melt::voxelAutomatonMethod::diagnostics() const
             const std::int32_t m,
             const std::int64_t energy,
             const double T,
-            const int x,
-            const int y,
-            const int z
+            int,
+            int,
+            int
         )
         {
             liquid += m*material.curve.liquidFraction(material.h(m, energy));
-            if (m >= seen)
+            if (m >= seen*voxelMaterial::full)
             {
                 d.minT = min(d.minT, T);
                 d.maxT = max(d.maxT, T);
-                bounds.add(frame_.position(x, y, z));
-                bounds.add(frame_.position(x + 1, y + 1, z + 1));
-                low = min(low, scalar(z));
-                high = max(high, z + scalar(m)/voxelMaterial::full);
-                d.frontRadius = max
-                (
-                    d.frontRadius,
-                    frame_.dx()
-                   *(
-                        std::hypot(x + 0.5 - centre[0], y + 0.5 - centre[1])
-                      + 0.5
-                    )
-                );
             }
         }
     );
@@ -179,10 +162,23 @@ Foam::melt::voxelAutomatonMethod::diagnostics() const
     {
         d.meltedFraction = liquid*material.massUnit/d.mass;
     }
-    if (high > low)
+    const std::array<double, 3> centre = frame_.coordinates(initialCentre_);
+    const meltExtent extent(grid_, {centre[0], centre[1]}, seen);
+    const std::array<double, 3>& low = extent.low;
+    const std::array<double, 3>& high = extent.high;
+    if (high[2] > low[2])
     {
-        d.bounds = bounds;
-        d.height = (high - low)*frame_.dx();
+        d.bounds = boundBox
+        (
+            pointField
+            ({
+                frame_.position(low[0], low[1], low[2]),
+                frame_.position(high[0], high[1], high[2])
+            }),
+            false
+        );
+        d.height = (high[2] - low[2])*frame_.dx();
+        d.frontRadius = extent.radius*frame_.dx();
     }
     else
     {
@@ -199,7 +195,7 @@ void Foam::melt::voxelAutomatonMethod::report(Ostream& os) const
         grid_.totalMass() + lostMass() - vents_.mass - initialMass_;
     const std::int64_t energyError =
         grid_.totalEnergy() + lostEnergy() - vents_.energy
-      - heating_->in + heating_->out - initialEnergy_;
+      - heating_->in + heating_->account.out - initialEnergy_;
 
     os  << "Voxels: " << nVoxels(true, false) << " liquid, "
         << nVoxels(false, true) << " solid, pieces falling "
