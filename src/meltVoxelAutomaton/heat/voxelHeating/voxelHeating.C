@@ -5,63 +5,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "voxelHeating.H"
-#include "voxelRays.H"
-
-// * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using namespace Foam;
-using namespace Foam::melt;
-
-class voxelShade
-:
-    public occlusion
-{
-    const voxelGrid& grid_;
-
-    const voxelFrame& frame_;
-
-public:
-
-    voxelShade(const voxelGrid& grid, const voxelFrame& frame)
-    :
-        grid_(grid),
-        frame_(frame)
-    {}
-
-    virtual boolList blocked
-    (
-        const surfaceElements& elements,
-        const labelList& set,
-        const pointField& to
-    ) const
-    {
-        // Off the face, by less than anything that matters
-        const scalar off = 1e-6*frame_.dx();
-
-        boolList result(set.size());
-        #pragma omp parallel for schedule(dynamic, 64)
-        for (label k = 0; k < set.size(); ++k)
-        {
-            const label i = set[k];
-            result[k] = voxelRays::blocked
-            (
-                grid_,
-                frame_.coordinates
-                (
-                    elements.position[i] + off*elements.normal[i]
-                ),
-                frame_.coordinates(to[k])
-            );
-        }
-        return result;
-    }
-};
-
-} // End anonymous namespace
-
+#include "filmHeating.H"
+#include "voxelShade.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -149,113 +94,6 @@ void Foam::melt::voxelHeating::addWalls
 }
 
 
-void Foam::melt::voxelHeating::give
-(
-    voxelGrid& grid,
-    const int x,
-    const int y,
-    const int z,
-    const scalar heat,
-    const scalar dt
-)
-{
-    voxelBrick& b = grid.ownAt(x, y, z);
-    const auto energy =
-        std::int64_t(std::llround(heat/grid.material().energyUnit));
-    b.energy[voxelBrick::offset(x, y, z)] += energy;
-    b.changed = true;
-    (energy > 0 ? in : out) += std::abs(energy);
-    fastest = max(fastest, std::abs(energy)/(voxelMaterial::energyRange*dt));
-}
-
-
-void Foam::melt::voxelHeating::giveSurface
-(
-    voxelGrid& grid,
-    const exposedFace& face,
-    const scalar T,
-    const scalar power,
-    const scalar slope,
-    const scalar dt
-)
-{
-    if (power == 0)
-    {
-        return;
-    }
-    const voxelMaterial& material = grid.material();
-
-    // The voxel itself, the one below, solids beside and above it, with what
-    // counts of their masses
-    struct part
-    {
-        int x, y, z;
-        scalar mass;
-    };
-    std::array<part, 7> parts;
-    int n = 0;
-    scalar total = 0;
-    const auto add = [&](const int x, const int y, const int z, const scalar w)
-    {
-        const scalar mass = w*grid.mass(x, y, z)*material.massUnit;
-        if (mass > 0)
-        {
-            parts[n++] = {x, y, z, mass};
-            total += mass;
-        }
-    };
-    add(face.x, face.y, face.z, 1);
-    const scalar vacant =
-        1 - scalar(grid.mass(face.x, face.y, face.z))/voxelMaterial::full;
-    for (int side = 0; side < 6; ++side)
-    {
-        const std::array<int, 3> d = exposedFaces::normal(side);
-        const int x = face.x + d[0], y = face.y + d[1], z = face.z + d[2];
-        const std::uint8_t phase = grid.phase(x, y, z);
-        if
-        (
-            grid.inside(x, y, z)
-         && (phase == SOLID || (side == 4 && phase == LIQUID))
-        )
-        {
-            add(x, y, z, vacant);
-        }
-    }
-
-    const auto h = [&](const part& p)
-    {
-        return material.h
-        (
-            grid.mass(p.x, p.y, p.z),
-            grid.brickAt(p.x, p.y, p.z).energy
-            [
-                voxelBrick::offset(p.x, p.y, p.z)
-            ]
-        );
-    };
-    const scalar hFilm = h(parts[0]);
-    const scalar heat =
-        power*dt/(1 + slope*dt/(total*material.curve.Cp(hFilm)));
-    for (int i = 0; i < n; ++i)
-    {
-        const part& p = parts[i];
-        scalar share = heat*p.mass/total;
-        if (slope > 0)
-        {
-            // Not beyond the temperature at which the power would be 0: on its
-            // way the voxel's heat capacity may fall
-            const scalar balance =
-                p.mass*(material.curve.h(T + power/slope) - h(p));
-            share =
-                power > 0
-              ? min(share, max(balance, scalar(0)))
-              : max(share, min(balance, scalar(0)));
-        }
-        give(grid, p.x, p.y, p.z, share, dt);
-    }
-}
-
-
 void Foam::melt::voxelHeating::heatVolume
 (
     voxelGrid& grid,
@@ -290,7 +128,10 @@ void Foam::melt::voxelHeating::heatVolume
     );
     forAll(power, i)
     {
-        give(grid, voxels[i][0], voxels[i][1], voxels[i][2], power[i]*dt, dt);
+        account.give
+        (
+            grid, voxels[i][0], voxels[i][1], voxels[i][2], power[i]*dt, dt
+        );
     }
 }
 
@@ -349,7 +190,7 @@ void Foam::melt::voxelHeating::update()
 {
     if (sources_.update())
     {
-        fastest = VGREAT;
+        account.fastest = VGREAT;
     }
 }
 
@@ -361,7 +202,7 @@ void Foam::melt::voxelHeating::heat
     const scalar dt
 )
 {
-    fastest = 0;
+    account.fastest = 0;
     if (!active())
     {
         return;
@@ -396,7 +237,7 @@ void Foam::melt::voxelHeating::heat
             power += absorbed.power[i];
             slope += absorbed.slope[i];
         }
-        giveSurface(grid, f, T, power, slope, dt);
+        filmHeating::give(grid, f, T, power, slope, dt, account);
     }
 
     if (sources_.inVolume())

@@ -122,8 +122,8 @@ Foam::melt::voxelAutomatonMethod::diagnostics() const
     d.thermalEnergy = grid_.totalEnergy()*material.energyUnit;
     d.potentialEnergy = potentialEnergy();
     d.workOfGravity = initialPotentialEnergy_ - d.potentialEnergy;
-    d.heatIn = heating_->in*material.energyUnit;
-    d.heatOut = heating_->out*material.energyUnit;
+    d.heatIn = heating_->account.in*material.energyUnit;
+    d.heatOut = heating_->account.out*material.energyUnit;
     d.maxU = published_
       ? 0 : max(lubrication_.maxSpeed(), gravity_.maxSpeed());
     for (const looseSolids::falling& f : loose_.inFlight())
@@ -195,7 +195,7 @@ void Foam::melt::voxelAutomatonMethod::report(Ostream& os) const
         grid_.totalMass() + lostMass() - vents_.mass - initialMass_;
     const std::int64_t energyError =
         grid_.totalEnergy() + lostEnergy() - vents_.energy
-      - heating_->in + heating_->account.out - initialEnergy_;
+      - heating_->account.in + heating_->account.out - initialEnergy_;
 
     os  << "Voxels: " << nVoxels(true, false) << " liquid, "
         << nVoxels(false, true) << " solid, pieces falling "

@@ -39,8 +39,8 @@ Foam::scalarField Foam::melt::voxelAutomatonMethod::sums() const
             lostMass(),
             lostEnergy(),
             grid_.residual(),
-            heating_->in,
-            heating_->out,
+            heating_->account.in,
+            heating_->account.out,
             vents_.mass,
             vents_.energy,
             published_ ? published_->step() : 0
@@ -55,7 +55,7 @@ Foam::scalarField Foam::melt::voxelAutomatonMethod::sums() const
     }
     list.append(initialPotentialEnergy_);
     list.append(heatTime_);
-    list.append(heating_->fastest);
+    list.append(heating_->account.fastest);
     list.append(loose_.waiting());
     list.append(loose_.loose() || grid_.solidsChanged());
 
@@ -84,8 +84,8 @@ void Foam::melt::voxelAutomatonMethod::setSums(const scalarField& list)
     earlierLostMass_ = take(list, i);
     earlierLostEnergy_ = take(list, i);
     grid_.setResidual(take(list, i));
-    heating_->in = take(list, i);
-    heating_->out = take(list, i);
+    heating_->account.in = take(list, i);
+    heating_->account.out = take(list, i);
     vents_.mass = take(list, i);
     vents_.energy = take(list, i);
     const std::int64_t step = take(list, i);
@@ -99,7 +99,7 @@ void Foam::melt::voxelAutomatonMethod::setSums(const scalarField& list)
     }
     initialPotentialEnergy_ = list[i++];
     heatTime_ = list[i++];
-    heating_->fastest = list[i++];
+    heating_->account.fastest = list[i++];
     loose_.waiting() = list[i++];
     grid_.takeSolidsChanged();
     loose_.loose() = list[i++] > 0;

@@ -22,7 +22,7 @@ Foam::scalar Foam::melt::voxelAutomatonMethod::heatLimit() const
     return min
     (
         heatInterval_*conductionLimit(),
-        heatChange_/max(heating_->fastest, VSMALL)
+        heatChange_/max(heating_->account.fastest, VSMALL)
     );
 }
 
@@ -102,7 +102,7 @@ Foam::scalar Foam::melt::voxelAutomatonMethod::maxDeltaT() const
     {
         limit
         (
-            heating_->fastest < VGREAT
+            heating_->account.fastest < VGREAT
           ? heatLimit() : heatInterval_*conductionLimit(),
             "heat"
         );
