@@ -115,11 +115,18 @@ Foam::melt::meltFlow::record Foam::melt::meltFlow::advance
     }
 
     const saddleSolver::vector start(u);
+    const saddleSolver::vector rest(saddleSolver::vector::Zero(u.size()));
     do
     {
         r.solved = system.solve
         (
-            viscosities(elements, u.data(), viscosityOf), solver
+            viscosities
+            (
+                elements,
+                shearRateDependent ? u.data() : rest.data(),
+                viscosityOf
+            ),
+            solver
         );
         r.residuals = solver.history();
         r.method = solver.method();

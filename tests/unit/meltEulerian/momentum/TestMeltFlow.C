@@ -234,6 +234,47 @@ TEST(MeltFlow, filmOfHalfCells)
 }
 
 
+// Without its dependence on the shear rate the viscosity is that at rate 0, also
+// in a film that flows already
+TEST(MeltFlow, viscosityAtRestWithoutShearRate)
+{
+    const int n = 8;
+    const double d = 1.0/n;
+    const staggeredGrid grid
+    (
+        {1, n + 2, 1}, {d, d, d}, {true, true, false}, {true, false, false}
+    );
+    std::vector<double> alpha(grid.nCells(), 0);
+    std::fill(alpha.begin(), alpha.begin() + n, 1);
+    faceVelocities g;
+    for (int a = 0; a < 3; ++a)
+    {
+        g[a].assign(grid.nFaces(a), a == 0 ? 1 : 0);
+    }
+    const auto thinning = [](const auto& rate, const auto&, auto& eta)
+    {
+        for (std::size_t i = 0; i < eta.size(); ++i)
+        {
+            eta[i] = 2/(1 + rate[i]);
+        }
+    };
+    const auto atRest = [](const auto&, const auto&, auto& eta)
+    {
+        std::fill(eta.begin(), eta.end(), 2);
+    };
+    meltFlow flow(grid, layer::accurate());
+    meltFlow newtonian(grid, layer::accurate());
+    for (int step = 0; step < 3; ++step)
+    {
+        flow.advance(alpha, 1, 0.1, g, {}, thinning, false);
+        newtonian.advance(alpha, 1, 0.1, g, {}, atRest, false);
+    }
+    const int top = grid.face(0, {0, n - 1, 0});
+    EXPECT_GT(flow.U()[0][top], 0.1);
+    EXPECT_EQ(flow.U()[0][top], newtonian.U()[0][top]);
+}
+
+
 // A melt that nothing drives but inertia keeps its velocity in free fall
 TEST(MeltFlow, fallsFreely)
 {
