@@ -10,155 +10,6 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-int Foam::melt::looseSolids::find(int i)
-{
-    while (root_[i] != i)
-    {
-        root_[i] = root_[root_[i]];
-        i = root_[i];
-    }
-    return i;
-}
-
-
-template<class Action>
-void Foam::melt::looseSolids::forRuns
-(
-    const voxelGrid& grid,
-    const int x,
-    const int y,
-    const int z0,
-    const int z1,
-    const Action& action
-) const
-{
-    if (!grid.inside(x, y, z0))
-    {
-        return;
-    }
-    const std::vector<int>& first =
-        first_[grid.brickIndex(x >> 3, y >> 3, z0 >> 3)];
-    if (first.empty())
-    {
-        return;
-    }
-    const int column = (x & 7)*8 + (y & 7);
-    for (int i = first[column]; i < first[column + 1]; ++i)
-    {
-        if (runs_[i].z0 <= z1 && runs_[i].z1 >= z0)
-        {
-            action(i);
-        }
-    }
-}
-
-
-int Foam::melt::looseSolids::runAt
-(
-    const voxelGrid& grid,
-    const int x,
-    const int y,
-    const int z
-) const
-{
-    int result = -1;
-    forRuns(grid, x, y, z, z, [&](const int i) { result = i; });
-    return result;
-}
-
-
-void Foam::melt::looseSolids::listRuns(voxelGrid& grid)
-{
-    runs_.clear();
-    first_.resize
-    (
-        std::size_t(grid.nBricks()[0])*grid.nBricks()[1]*grid.nBricks()[2]
-    );
-    for (std::vector<int>& first : first_)
-    {
-        first.clear();
-    }
-    for (const int index : grid.list())
-    {
-        const voxelBrick& b = grid.brick(index);
-        if (b.nSolid == 0)
-        {
-            continue;
-        }
-        const std::array<int, 3> o = grid.origin(index);
-        std::vector<int>& first = first_[index];
-        first.resize(65);
-        for (int column = 0; column < 64; ++column)
-        {
-            first[column] = int(runs_.size());
-            const std::uint8_t* phase = b.phase + 8*column;
-            for (int k = 0; k < 8; ++k)
-            {
-                if (phase[k] != SOLID)
-                {
-                    continue;
-                }
-                const int z = o[2] + k;
-                if (k > 0 && phase[k - 1] == SOLID)
-                {
-                    runs_.back().z1 = z;
-                }
-                else
-                {
-                    runs_.push_back
-                    (
-                        {o[0] + column/8, o[1] + column % 8, z, z}
-                    );
-                }
-            }
-        }
-        first[64] = int(runs_.size());
-    }
-}
-
-
-void Foam::melt::looseSolids::connect(voxelGrid& grid)
-{
-    listRuns(grid);
-    root_.resize(runs_.size());
-    for (std::size_t i = 0; i < root_.size(); ++i)
-    {
-        root_[i] = int(i);
-    }
-
-    // Half of the 26 neighbours of each voxel: the other half finds it
-    constexpr int beside[4][2] = {{1, -1}, {1, 0}, {1, 1}, {0, 1}};
-    for (int i = 0; i < int(runs_.size()); ++i)
-    {
-        const run& r = runs_[i];
-        const int floor = r.z0 & ~7, ceiling = r.z1 | 7;
-        const auto joinTo = [&](const int j) { join(i, j); };
-        for (const int (&step)[2] : beside)
-        {
-            const int x = r.x + step[0], y = r.y + step[1];
-            forRuns
-            (
-                grid, x, y,
-                std::max(r.z0 - 1, floor), std::min(r.z1 + 1, ceiling),
-                joinTo
-            );
-            if (r.z0 == floor)
-            {
-                forRuns(grid, x, y, floor - 1, floor - 1, joinTo);
-            }
-            if (r.z1 == ceiling)
-            {
-                forRuns(grid, x, y, ceiling + 1, ceiling + 1, joinTo);
-            }
-        }
-        if (r.z1 == ceiling)
-        {
-            forRuns(grid, r.x, r.y, ceiling + 1, ceiling + 1, joinTo);
-        }
-    }
-}
-
-
 bool Foam::melt::looseSolids::held
 (
     const voxelGrid& grid,
@@ -167,7 +18,7 @@ bool Foam::melt::looseSolids::held
 {
     for (const int i : piece)
     {
-        const run& r = runs_[i];
+        const solidPieces::run& r = solids_[i];
         if (r.z0 == 0)
         {
             return true;
@@ -185,7 +36,7 @@ bool Foam::melt::looseSolids::held
     }
     for (const int i : piece)
     {
-        const run& r = runs_[i];
+        const solidPieces::run& r = solids_[i];
         for (int side = 0; side < 4; ++side)
         {
             const int x = r.x + (side == 0) - (side == 1);
@@ -216,10 +67,10 @@ bool Foam::melt::looseSolids::canFall
     double below = 0, filled = 0;
     for (const int i : piece)
     {
-        const run& r = runs_[i];
+        const solidPieces::run& r = solids_[i];
 
         // Solid below is of the same piece
-        if (runAt(grid, r.x, r.y, r.z0 - 1) < 0)
+        if (solids_.runAt(grid, r.x, r.y, r.z0 - 1) < 0)
         {
             below += 1;
             filled +=
@@ -240,7 +91,7 @@ void Foam::melt::looseSolids::moveDown
     // which takes melt in the way up through the piece
     for (const int i : piece)
     {
-        const run& r = runs_[i];
+        const solidPieces::run& r = solids_[i];
         for (int z = r.z0; z <= r.z1; ++z)
         {
             voxelBrick& upper = grid.ownAt(r.x, r.y, z);
@@ -256,31 +107,12 @@ void Foam::melt::looseSolids::moveDown
 }
 
 
-std::vector<std::vector<int>> Foam::melt::looseSolids::pieces()
-{
-    // Bricks are in ascending order, the higher after the lower
-    std::vector<std::vector<int>> result;
-    std::vector<int> order(runs_.size(), -1);
-    for (int i = 0; i < int(runs_.size()); ++i)
-    {
-        int& place = order[find(i)];
-        if (place < 0)
-        {
-            place = int(result.size());
-            result.emplace_back();
-        }
-        result[place].push_back(i);
-    }
-    return result;
-}
-
-
 void Foam::melt::looseSolids::findLoose(const voxelGrid& grid)
 {
     const std::vector<falling> before(std::move(falling_));
     falling_.clear();
     loose_ = false;
-    for (const std::vector<int>& piece : pieces())
+    for (const std::vector<int>& piece : solids_.pieces())
     {
         if (held(grid, piece))
         {
@@ -291,12 +123,12 @@ void Foam::melt::looseSolids::findLoose(const voxelGrid& grid)
         {
             continue;
         }
-        const run& r = runs_[piece[0]];
+        const solidPieces::run& r = solids_[piece[0]];
         falling f{r.x, r.y, r.z0, 0, 0};
         for (const falling& known : before)
         {
-            const int i = runAt(grid, known.x, known.y, known.z);
-            if (i >= 0 && find(i) == find(piece[0]))
+            const int i = solids_.runAt(grid, known.x, known.y, known.z);
+            if (i >= 0 && solids_.root(i) == solids_.root(piece[0]))
             {
                 f.speed = std::max(f.speed, known.speed);
                 f.way = std::max(f.way, known.way);
@@ -309,21 +141,21 @@ void Foam::melt::looseSolids::findLoose(const voxelGrid& grid)
 
 bool Foam::melt::looseSolids::fallOneVoxel(voxelGrid& grid, falling& f)
 {
-    const int found = runAt(grid, f.x, f.y, f.z);
+    const int found = solids_.runAt(grid, f.x, f.y, f.z);
     if (found < 0)
     {
         return false;
     }
-    const int root = find(found);
-    for (const std::vector<int>& piece : pieces())
+    const int root = solids_.root(found);
+    for (const std::vector<int>& piece : solids_.pieces())
     {
-        if (find(piece[0]) == root && canFall(grid, piece))
+        if (solids_.root(piece[0]) == root && canFall(grid, piece))
         {
             moveDown(grid, piece);
             f.way -= grid.dx();
             --f.z;
             grid.refresh();
-            connect(grid);
+            solids_.connect(grid);
             return true;
         }
     }
@@ -344,7 +176,7 @@ void Foam::melt::looseSolids::fall(voxelGrid& grid, const double dt)
     bool connected = false;
     if (loose_ && waiting_ >= 0.5*std::sqrt(2*grid.dx()/g_))
     {
-        connect(grid);
+        solids_.connect(grid);
         findLoose(grid);
         waiting_ = 0;
         connected = true;
@@ -360,7 +192,7 @@ void Foam::melt::looseSolids::fall(voxelGrid& grid, const double dt)
         {
             if (!connected)
             {
-                connect(grid);
+                solids_.connect(grid);
                 connected = true;
             }
             free = fallOneVoxel(grid, f);
