@@ -255,12 +255,13 @@ bool Foam::melt::velocitySolver::solve
     while (!converged && nIterations < maxIterations_)
     {
         setResidual();
-        const conjugateGradient<vectorArray>::result result = solver_.solve
+        conjugateGradient<vectorArray>::result result = solver_.solve
         (
             apply, precondition, impulse,
             tolerance_, negligible, maxIterations_ - nIterations, v_, r_
         );
         nIterations += result.iterations;
+        result.converged = result.converged && result.positive;
         lastResidual_ = result.residual;
         converged =
             result.converged && (!described || result.iterations == 0);

@@ -81,10 +81,11 @@ TEST(ConjugateGradient, indefiniteMatrixHasNotConverged)
 }
 
 
-TEST(ConjugateGradient, negativePreconditionerHasNotConverged)
+TEST(ConjugateGradient, seesANegativePreconditioner)
 {
     vectorArray x;
-    EXPECT_FALSE(solve(4, x, -1).converged);
+    EXPECT_FALSE(solve(4, x, -1).positive);
+    EXPECT_TRUE(solve(4, x).positive);
 }
 
 // ************************************************************************* //
