@@ -60,7 +60,7 @@ void addParticle
     const double pressure = p.stiffness ? deltaT*V*(*p.stiffness)[i] : 0;
     const double viscous = deltaT*V*eta;
     Eigen::Matrix3d local = f.m[i]*Eigen::Matrix3d::Identity();
-    if (p.centralWall && !(*p.centralWall)[0].empty())
+    if (p.centralWall)
     {
         local += deltaT*p.centralShare*block(*p.centralWall, i);
     }

@@ -156,7 +156,7 @@ void Foam::melt::velocityProduct::setStress
         Q = Q + P*A;
         own += V*P*b;
     }
-    if (parts_.centralWall && !(*parts_.centralWall)[0].empty())
+    if (parts_.centralWall)
     {
         own -= parts_.centralShare*(at(*parts_.centralWall, i) & v);
     }

@@ -321,7 +321,7 @@ void Foam::melt::centralViscosity::addDiagonal(blocks& diagonal) const
 bool Foam::melt::centralViscosity::describe(implicitParts& p) const
 {
     p.centralShare = share_;
-    p.centralWall = &wallDiagonal_;
+    p.centralWall = wallDiagonal_[0].empty() ? nullptr : &wallDiagonal_;
     return true;
 }
 
