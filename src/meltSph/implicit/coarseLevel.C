@@ -22,20 +22,20 @@ constexpr int nCorners = trilinearGrid::nCorners;
 using vector = Eigen::Vector3d;
 using elementMatrix = Eigen::Matrix<double, 3*nCorners, 3*nCorners>;
 
-Eigen::Matrix3d block(const implicitParts::blocks& b, const int i)
+Eigen::Matrix3d block(const Foam::symmTensor& b)
 {
     Eigen::Matrix3d a;
     a <<
-        b[0][i], b[1][i], b[2][i],
-        b[1][i], b[3][i], b[4][i],
-        b[2][i], b[4][i], b[5][i];
+        b.xx(), b.xy(), b.xz(),
+        b.xy(), b.yy(), b.yz(),
+        b.xz(), b.yz(), b.zz();
     return a;
 }
 
 
-vector at(const vectorArray* a, const int i)
+vector at(const Foam::vector& a)
 {
-    return a && a->size() ? vector(a->x[i], a->y[i], a->z[i]) : vector(0, 0, 0);
+    return vector(a.x(), a.y(), a.z());
 }
 
 
@@ -62,14 +62,14 @@ void addParticle
     Eigen::Matrix3d local = f.m[i]*Eigen::Matrix3d::Identity();
     if (p.centralWall)
     {
-        local += deltaT*p.centralShare*block(*p.centralWall, i);
+        local += deltaT*block((*p.centralWall)[i]);
     }
-    vector b = at(p.viscousWall, i);
-    if (p.L)
-    {
-        b = block(*p.L, i)*b;
-    }
-    const vector bp = at(p.pressureWall, i);
+    const vector b =
+        p.L
+      ? at(implicitParts::at(*p.L, i) & (*p.viscousWall)[i])
+      : vector(0, 0, 0);
+    const vector bp =
+        p.pressureWall ? at((*p.pressureWall)[i]) : vector(0, 0, 0);
 
     vector s[nCorners], q[nCorners];
     for (int a = 0; a < nCorners; ++a)
@@ -111,7 +111,7 @@ bool Foam::melt::coarseLevel::build
     const double cellSize
 )
 {
-    system_ = &system;
+    fluid_ = &system.fluid;
     grid_.build(system.fluid, cellSize);
 
     const int nCells = grid_.nCells();
@@ -173,15 +173,10 @@ bool Foam::melt::coarseLevel::build
 }
 
 
-void Foam::melt::coarseLevel::addCorrection
-(
-    const vectorArray& r,
-    vectorArray& z
-)
+void Foam::melt::coarseLevel::solveNodes(const vectorArray& r)
 {
-    grid_.restrict(system_->fluid, r, nodes_.data());
+    grid_.restrict(*fluid_, r, nodes_.data());
     nodes_ = factor_.solve(nodes_);
-    grid_.addProlonged(system_->fluid, nodes_.data(), z);
 }
 
 

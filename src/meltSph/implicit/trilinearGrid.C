@@ -279,11 +279,12 @@ void Foam::melt::trilinearGrid::restrict
 }
 
 
+template<class Number>
 void Foam::melt::trilinearGrid::addProlonged
 (
     const particles& f,
     const double* nodes,
-    vectorArray& z
+    vectorArrayOf<Number>& z
 ) const
 {
     #pragma omp parallel for schedule(dynamic, 4)
@@ -312,6 +313,17 @@ void Foam::melt::trilinearGrid::addProlonged
         });
     }
 }
+
+
+template void Foam::melt::trilinearGrid::addProlonged
+(
+    const particles&, const double*, vectorArrayOf<float>&
+) const;
+
+template void Foam::melt::trilinearGrid::addProlonged
+(
+    const particles&, const double*, vectorArrayOf<double>&
+) const;
 
 
 std::size_t Foam::melt::trilinearGrid::bytes() const

@@ -16,22 +16,6 @@ namespace
 
 using Foam::melt::float4;
 using Foam::melt::float8;
-using Foam::melt::vectorArray;
-
-Foam::symmTensor at(const Foam::melt::implicitParts::blocks& b, const int i)
-{
-    return {b[0][i], b[1][i], b[2][i], b[3][i], b[4][i], b[5][i]};
-}
-
-
-//- Zero where there are no walls
-Foam::vector at(const vectorArray* a, const int i)
-{
-    return a && a->size()
-      ? Foam::vector(a->x[i], a->y[i], a->z[i])
-      : Foam::vector(Foam::Zero);
-}
-
 
 //- pairViscosity over b of eight pairs, by one division
 [[gnu::always_inline]] inline float8 pairViscosityOver
@@ -51,13 +35,14 @@ Foam::vector at(const vectorArray* a, const int i)
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<bool central>
-void Foam::melt::velocityProduct::setStress(const vectorArray& velocity)
+void Foam::melt::velocityProduct::setStress()
 {
     const neighbourhood& near = system_->near;
+    const auto active = [&](const int i) { return !near.idle(i); };
 
     near.kernel().inUnitsOfH().visit([&](const auto& kernel)
     {
-        near_.forEach([&](const int i, const auto& row)
+        near.fluid().forEach(active, [&](const int i, const auto& row)
         {
             const auto W = kernel;
             const quad vi = v_[i].v;
@@ -99,7 +84,6 @@ void Foam::melt::velocityProduct::setStress(const vectorArray& velocity)
             setStress
             (
                 i,
-                vector(velocity.x[i], velocity.y[i], velocity.z[i]),
                 tensor
                 (
                     sum(xx), sum(xy), sum(xz),
@@ -116,11 +100,11 @@ void Foam::melt::velocityProduct::setStress(const vectorArray& velocity)
 void Foam::melt::velocityProduct::setStress
 (
     const int i,
-    const vector& v,
     const tensor& gradient,
     const vector& central
 )
 {
+    const vector v(v_[i].v.a[0], v_[i].v.a[1], v_[i].v.a[2]);
     const smoothingKernel& kernel = system_->near.kernel();
     const int dimensions = kernel.dimensions();
     const double V = system_->fluid.V[i];
@@ -134,8 +118,8 @@ void Foam::melt::velocityProduct::setStress
     tensor Q(Zero);
     if (parts_.L)
     {
-        const symmTensor L(at(*parts_.L, i));
-        const vector b(at(parts_.viscousWall, i));
+        const symmTensor L(implicitParts::at(*parts_.L, i));
+        const vector b((*parts_.viscousWall)[i]);
         const tensor corrected((G - v*b) & L);
         symmTensor S
         (
@@ -150,15 +134,15 @@ void Foam::melt::velocityProduct::setStress
     }
     if (parts_.stiffness)
     {
-        const symmTensor A(at(*parts_.pressureA, i));
-        const vector b(at(parts_.pressureWall, i));
+        const symmTensor A(implicitParts::at(*parts_.pressureA, i));
+        const vector b((*parts_.pressureWall)[i]);
         const double P = (*parts_.stiffness)[i]*((G && A) - (v & b));
         Q = Q + P*A;
         own += V*P*b;
     }
     if (parts_.centralWall)
     {
-        own -= parts_.centralShare*(at(*parts_.centralWall, i) & v);
+        own -= (*parts_.centralWall)[i] & v;
     }
 
     for (int a = 0; a < 3; ++a)
@@ -169,14 +153,16 @@ void Foam::melt::velocityProduct::setStress
 }
 
 
-void Foam::melt::velocityProduct::sumForces(vectorArray& Kv) const
+template<class Number>
+void Foam::melt::velocityProduct::sumForces(vectorArrayOf<Number>& Kv) const
 {
     const neighbourhood& near = system_->near;
     const double h = near.kernel().h();
+    const auto active = [&](const int i) { return !near.idle(i); };
 
     near.kernel().inUnitsOfH().visit([&](const auto& kernel)
     {
-        near_.forEach([&](const int i, const auto& row)
+        near.fluid().forEach(active, [&](const int i, const auto& row)
         {
             const auto W = kernel;
 
@@ -220,9 +206,9 @@ void Foam::melt::velocityProduct::sumForces(vectorArray& Kv) const
             }
             const float4 total = force[0] + force[1] + force[2];
             const double scale = system_->fluid.V[i]/h;
-            Kv.x[i] = -(scale*total[0] + Qi[0].a[3]);
-            Kv.y[i] = -(scale*total[1] + Qi[1].a[3]);
-            Kv.z[i] = -(scale*total[2] + Qi[2].a[3]);
+            Kv.x[i] = Number(-(scale*total[0] + Qi[0].a[3]));
+            Kv.y[i] = Number(-(scale*total[1] + Qi[1].a[3]));
+            Kv.z[i] = Number(-(scale*total[2] + Qi[2].a[3]));
         });
     });
 }
@@ -265,30 +251,15 @@ void Foam::melt::velocityProduct::build
         };
         Q_[i].at = v_[i].at;
     }
-
-    // A solid feels liquid alone
-    const double radius2 = sqr(kernel.support()/h);
-    const double* const solid = system.near.solid();
-    near_.select(system.near.fluid(), [&](const int i, const int j)
-    {
-        if (solid && solid[i] > 0 && solid[j] > 0)
-        {
-            return false;
-        }
-        double q2 = 0;
-        for (int a = 0; a < 3; ++a)
-        {
-            q2 += sqr
-            (
-                unit_[a]*std::int32_t(v_[i].at.x[a] - v_[j].at.x[a])
-            );
-        }
-        return q2 < radius2;
-    });
 }
 
 
-void Foam::melt::velocityProduct::apply(const vectorArray& v, vectorArray& Kv)
+template<class Number>
+void Foam::melt::velocityProduct::apply
+(
+    const vectorArrayOf<Number>& v,
+    vectorArrayOf<Number>& Kv
+)
 {
     const int n = v.size();
     const double* const eta =
@@ -304,17 +275,27 @@ void Foam::melt::velocityProduct::apply(const vectorArray& v, vectorArray& Kv)
         }};
     }
 
-    system_->near.countPairs(2*near_.nPairs());
-    eta ? setStress<true>(v) : setStress<false>(v);
+    system_->near.countFluidForcePass();
+    system_->near.countFluidForcePass();
+    eta ? setStress<true>() : setStress<false>();
     sumForces(Kv);
 }
 
 
+template void Foam::melt::velocityProduct::apply
+(
+    const vectorArrayOf<float>&, vectorArrayOf<float>&
+);
+
+template void Foam::melt::velocityProduct::apply
+(
+    const vectorArrayOf<double>&, vectorArrayOf<double>&
+);
+
+
 std::size_t Foam::melt::velocityProduct::bytes() const
 {
-    return
-        sizeof(motion)*v_.capacity() + sizeof(stress)*Q_.capacity()
-      + near_.bytes();
+    return sizeof(motion)*v_.capacity() + sizeof(stress)*Q_.capacity();
 }
 
 // ************************************************************************* //

@@ -59,7 +59,7 @@ void Foam::melt::velocitySolver::invertBlocks
 )
 {
     implicitOperator::blocks& b = inverse_;
-    for (std::vector<double>& component : b)
+    for (std::vector<float>& component : b)
     {
         component.assign(f.size(), 0);
     }
@@ -86,138 +86,135 @@ void Foam::melt::velocitySolver::invertBlocks
         const double cxz = xy*yz - xz*yy;
         const double scale = 1/(xx*cxx + xy*cxy + xz*cxz);
 
-        b[0][i] = scale*cxx;
-        b[1][i] = scale*cxy;
-        b[2][i] = scale*cxz;
-        b[3][i] = scale*(xx*zz - xz*xz);
-        b[4][i] = scale*(xy*xz - xx*yz);
-        b[5][i] = scale*(xx*yy - xy*xy);
+        b[0][i] = float(scale*cxx);
+        b[1][i] = float(scale*cxy);
+        b[2][i] = float(scale*cxz);
+        b[3][i] = float(scale*(xx*zz - xz*xz));
+        b[4][i] = float(scale*(xy*xz - xx*yz));
+        b[5][i] = float(scale*(xx*yy - xy*xy));
     }
 }
 
 
-bool Foam::melt::velocitySolver::solve
-(
-    sphSystem& system,
-    const scalar deltaT,
-    const vectorArray& guess
-)
+void Foam::melt::velocitySolver::makeRigid(vectorArray& v) const
 {
-    particles& f = system.fluid;
+    if (solids_)
+    {
+        v.multiply(fluid_->m);
+        solids_->project(v);
+        v.divide(fluid_->m);
+    }
+}
+
+
+void Foam::melt::velocitySolver::setResidual()
+{
+    const particles& f = *fluid_;
     const int n = f.size();
 
-    r_.resize(n);
-
-    // The rigid motions of the same momenta
-    const auto makeRigid = [&](vectorArray& v)
+    addForces(v_, 1, r_);
+    #pragma omp parallel for simd schedule(static)
+    for (int i = 0; i < n; ++i)
     {
-        if (solids_)
-        {
-            v.multiply(f.m);
-            solids_->project(v);
-            v.divide(f.m);
-        }
-    };
-    // Bodies begin with a rigid motion, which projected residuals leave them
-    const auto setGuess = [&]()
-    {
-        v_ = guess;
-        makeRigid(v_);
-    };
-    setGuess();
-
-    for (implicitOperator* o : operators_)
-    {
-        o->update(deltaT);
+        r_.x[i] = f.m[i]*(f.u[i] - v_.x[i]) + deltaT_*r_.x[i];
+        r_.y[i] = f.m[i]*(f.v[i] - v_.y[i]) + deltaT_*r_.y[i];
+        r_.z[i] = f.m[i]*(f.w[i] - v_.z[i]) + deltaT_*r_.z[i];
     }
-    invertBlocks(f, deltaT);
-
-    // r = M (v* - v) + dt (b - K v)
-    const auto setResidual = [&]()
+    if (solids_)
     {
-        addForces(v_, 1, r_);
-        #pragma omp parallel for simd schedule(static)
-        for (int i = 0; i < n; ++i)
-        {
-            r_.x[i] = f.m[i]*(f.u[i] - v_.x[i]) + deltaT*r_.x[i];
-            r_.y[i] = f.m[i]*(f.v[i] - v_.y[i]) + deltaT*r_.y[i];
-            r_.z[i] = f.m[i]*(f.w[i] - v_.z[i]) + deltaT*r_.z[i];
-        }
-        if (solids_)
-        {
-            solids_->project(r_);
-        }
-    };
-
-    implicitParts parts;
-    // The product is one of single precision, which does not reach a tolerance
-    // near its own round-off
-    bool described = tolerance_ > 10*floatScalarSMALL;
-    for (const implicitOperator* o : operators_)
-    {
-        described = o->describe(parts) && described;
+        solids_->project(r_);
     }
-    if (described)
-    {
-        product_.build(system, parts);
-    }
-    bool coarse =
-        coarseSpacing_ > 0 && n > 0
-     && coarse_.build
-        (
-            system, parts, deltaT, coarseSpacing_*system.spacing
-        );
+}
 
-    const auto apply = [&](const vectorArray& p, vectorArray& Ap)
+
+template<class Number>
+void Foam::melt::velocitySolver::apply
+(
+    const vectorArrayOf<Number>& p,
+    vectorArrayOf<Number>& Ap
+)
+{
+    constexpr bool isDouble = std::is_same_v<Number, double>;
+    const std::vector<double>& m = fluid_->m;
+    const int n = p.size();
+
+    const double k = described_ ? deltaT_ : -deltaT_;
+    if (described_)
     {
-        if (described)
-        {
-            product_.apply(p, Ap);
-        }
-        else
-        {
-            addForces(p, 0, Ap);
-        }
-        const double k = described ? deltaT : -deltaT;
-        #pragma omp parallel for simd schedule(static)
-        for (int i = 0; i < n; ++i)
-        {
-            Ap.x[i] = f.m[i]*p.x[i] + k*Ap.x[i];
-            Ap.y[i] = f.m[i]*p.y[i] + k*Ap.y[i];
-            Ap.z[i] = f.m[i]*p.z[i] + k*Ap.z[i];
-        }
+        product_.apply(p, Ap);
+    }
+    else if constexpr (isDouble)
+    {
+        addForces(p, 0, Ap);
+    }
+
+    #pragma omp parallel for simd schedule(static)
+    for (int i = 0; i < n; ++i)
+    {
+        Ap.x[i] = Number(m[i]*p.x[i] + k*Ap.x[i]);
+        Ap.y[i] = Number(m[i]*p.y[i] + k*Ap.y[i]);
+        Ap.z[i] = Number(m[i]*p.z[i] + k*Ap.z[i]);
+    }
+    if constexpr (isDouble)
+    {
         if (solids_)
         {
             solids_->project(Ap);
         }
-    };
-    const auto precondition = [&](const vectorArray& r, vectorArray& z)
+    }
+}
+
+
+template<class Number>
+void Foam::melt::velocitySolver::precondition
+(
+    const vectorArray& r,
+    vectorArrayOf<Number>& z
+)
+{
+    const std::vector<double>& m = fluid_->m;
+    const implicitOperator::blocks& b = inverse_;
+    const int n = r.size();
+
+    #pragma omp parallel for simd schedule(static)
+    for (int i = 0; i < n; ++i)
     {
-        const implicitOperator::blocks& b = inverse_;
-        #pragma omp parallel for simd schedule(static)
-        for (int i = 0; i < n; ++i)
+        const double x = r.x[i], y = r.y[i], w = r.z[i];
+        z.x[i] = Number(b[0][i]*x + b[1][i]*y + b[2][i]*w);
+        z.y[i] = Number(b[1][i]*x + b[3][i]*y + b[4][i]*w);
+        z.z[i] = Number(b[2][i]*x + b[4][i]*y + b[5][i]*w);
+    }
+    // Of bodies their mass alone: r is that of a rigid motion already
+    for (int i = 0; solids_ && i < n; ++i)
+    {
+        if (solids_->solid(i))
         {
-            const double x = r.x[i], y = r.y[i], w = r.z[i];
-            z.x[i] = b[0][i]*x + b[1][i]*y + b[2][i]*w;
-            z.y[i] = b[1][i]*x + b[3][i]*y + b[4][i]*w;
-            z.z[i] = b[2][i]*x + b[4][i]*y + b[5][i]*w;
+            z.x[i] = Number(r.x[i]/m[i]);
+            z.y[i] = Number(r.y[i]/m[i]);
+            z.z[i] = Number(r.z[i]/m[i]);
         }
-        // Of bodies their mass alone: r is that of a rigid motion already
-        for (int i = 0; solids_ && i < n; ++i)
+    }
+    if (useCoarse_)
+    {
+        coarse_.addCorrection(r, z);
+        if constexpr (std::is_same_v<Number, double>)
         {
-            if (solids_->solid(i))
-            {
-                z.x[i] = r.x[i]/f.m[i];
-                z.y[i] = r.y[i]/f.m[i];
-                z.z[i] = r.z[i]/f.m[i];
-            }
-        }
-        if (coarse)
-        {
-            coarse_.addCorrection(r, z);
             makeRigid(z);
         }
-    };
+    }
+}
+
+
+template<class Directions>
+Foam::melt::iterationResult Foam::melt::velocitySolver::iterate
+(
+    conjugateGradient<vectorArray, Directions>& solver,
+    const label maxIterations
+)
+{
+    const particles& f = *fluid_;
+    const int n = f.size();
+
     const auto impulse = [&](const vectorArray& v)
     {
         return std::sqrt
@@ -248,34 +245,88 @@ bool Foam::melt::velocitySolver::solve
             }
         );
 
+    return solver.solve
+    (
+        [&](const Directions& p, Directions& Ap) { apply(p, Ap); },
+        [&](const vectorArray& r, Directions& z) { precondition(r, z); },
+        impulse, tolerance_, negligible, maxIterations, v_, r_
+    );
+}
+
+
+bool Foam::melt::velocitySolver::solve
+(
+    sphSystem& system,
+    const scalar deltaT
+)
+{
+    particles& f = system.fluid;
+    const int n = f.size();
+
+    fluid_ = &f;
+    deltaT_ = deltaT;
+    r_.resize(n);
+    // Bodies begin with a rigid motion, which projected residuals leave them
+    makeRigid(v_);
+
+    for (implicitOperator* o : operators_)
+    {
+        o->update(deltaT);
+    }
+    invertBlocks(f, deltaT);
+
+    implicitParts parts;
+    // The product is one of single precision, which does not reach a tolerance
+    // near its own round-off
+    described_ = tolerance_ > 10*floatScalarSMALL;
+    for (const implicitOperator* o : operators_)
+    {
+        described_ = o->describe(parts) && described_;
+    }
+    if (described_)
+    {
+        product_.build(system, parts);
+    }
+    useCoarse_ =
+        coarseSpacing_ > 0 && n > 0
+     && coarse_.build
+        (
+            system, parts, deltaT, coarseSpacing_*system.spacing
+        );
+
     // The product of the iterations is one of single precision: where the true
     // residual is not down yet, they go on from it
     bool converged = false;
     label nIterations = 0;
+    const auto beginAgain = [&]()
+    {
+        v_.assign(f.u, f.v, f.w);
+        makeRigid(v_);
+    };
     while (!converged && nIterations < maxIterations_)
     {
         setResidual();
-        conjugateGradient<vectorArray>::result result = solver_.solve
-        (
-            apply, precondition, impulse,
-            tolerance_, negligible, maxIterations_ - nIterations, v_, r_
-        );
+        const label left = maxIterations_ - nIterations;
+        iterationResult result =
+            described_ && !solids_
+          ? iterate(single_, left)
+          : iterate(double_, left);
         nIterations += result.iterations;
         result.converged = result.converged && result.positive;
         lastResidual_ = result.residual;
         converged =
-            result.converged && (!described || result.iterations == 0);
-        if (!result.converged && described)
+            result.converged && (!described_ || result.iterations == 0);
+        if (!result.converged && described_)
         {
             // A contrast of viscosities beyond single precision
-            described = false;
-            setGuess();
+            described_ = false;
+            beginAgain();
         }
-        else if (!result.converged && coarse)
+        else if (!result.converged && useCoarse_)
         {
             // Beyond the factors, too
-            coarse = false;
-            setGuess();
+            useCoarse_ = false;
+            beginAgain();
         }
         else if (!result.converged)
         {
@@ -310,9 +361,9 @@ void Foam::melt::velocitySolver::report(Ostream& os) const
     }
 
     std::size_t bytes =
-        solver_.bytes() + product_.bytes() + coarse_.bytes()
+        double_.bytes() + single_.bytes() + product_.bytes() + coarse_.bytes()
       + v_.bytes() + r_.bytes()
-      + 6*sizeof(double)*inverse_[0].capacity();
+      + 6*sizeof(float)*inverse_[0].capacity();
     for (const implicitOperator* o : operators_)
     {
         bytes += o->bytes();

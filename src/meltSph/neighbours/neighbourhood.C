@@ -71,6 +71,21 @@ void Foam::melt::neighbourhood::wrap(particles& fluid)
 }
 
 
+void Foam::melt::neighbourhood::findBesideWalls(const int n)
+{
+    besideWalls_.clear();
+    wallIndex_.assign(n, -1);
+    for (int i = 0; i < n; ++i)
+    {
+        if (walls_.sourcesOf(i).size())
+        {
+            wallIndex_[i] = int(besideWalls_.size());
+            besideWalls_.push_back(i);
+        }
+    }
+}
+
+
 void Foam::melt::neighbourhood::build(particles& fluid, const wallState& walls)
 {
     wrap(fluid);
@@ -103,11 +118,13 @@ void Foam::melt::neighbourhood::build(particles& fluid, const wallState& walls)
             fluid.x.data(), fluid.y.data(), fluid.z.data(),
             grid_, radius(), box_
         );
+        findBesideWalls(fluid.size());
     }
 
     solid_.clear();
     idle_.clear();
     nIdlePairs_ = 0;
+    nIdleWallPairs_ = 0;
     moved_ = 0;
     ++nBuilds_;
 }
@@ -119,6 +136,7 @@ void Foam::melt::neighbourhood::setSolids(const std::vector<int>& body)
     solid_.clear();
     idle_.clear();
     nIdlePairs_ = 0;
+    nIdleWallPairs_ = 0;
     if
     (
         std::all_of
@@ -154,7 +172,8 @@ void Foam::melt::neighbourhood::setSolids(const std::vector<int>& body)
     {
         if (idle_[i])
         {
-            nIdlePairs_ += fluid_.nPairs(i) + walls_.sourcesOf(i).size();
+            nIdlePairs_ += fluid_.nPairs(i);
+            nIdleWallPairs_ += walls_.sourcesOf(i).size();
         }
     }
 }

@@ -13,7 +13,8 @@ std::vector<Foam::melt::particles::array*> Foam::melt::particles::arrays()
         &x, &y, &z, &u, &v, &w, &rho, &h, &m,
         &ax, &ay, &az, &dRho, &dH, &du, &dv, &dw,
         &axOld, &ayOld, &azOld, &dRhoOld, &dHOld,
-        &V, &T, &kappa, &conductionScale, &p, &eta
+        &V, &T, &kappa, &conductionScale, &p, &eta,
+        &shearRate
     };
     for (array& component : S)
     {

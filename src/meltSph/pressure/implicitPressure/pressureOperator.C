@@ -27,19 +27,17 @@ Foam::melt::pressureOperator::pressureOperator
 {}
 
 
-std::array<double, 3> Foam::melt::pressureOperator::weight(const int i) const
+Foam::vector Foam::melt::pressureOperator::weight(const int i) const
 {
     const particles& f = system_.fluid;
-    const std::array<double, 3>& g = system_.g;
-    const double g2 = g[0]*g[0] + g[1]*g[1] + g[2]*g[2];
+    const vector g(system_.g[0], system_.g[1], system_.g[2]);
+    const double g2 = magSqr(g);
     if (f.axOld.empty() || g2 == 0)
     {
         return g;
     }
-    const double falls =
-        (f.axOld[i]*g[0] + f.ayOld[i]*g[1] + f.azOld[i]*g[2])/g2;
-    const double held = std::clamp(1 - falls, 0.0, 1.0);
-    return {held*g[0], held*g[1], held*g[2]};
+    const double falls = (vector(f.axOld[i], f.ayOld[i], f.azOld[i]) & g)/g2;
+    return std::clamp(1 - falls, 0.0, 1.0)*g;
 }
 
 
@@ -47,68 +45,58 @@ void Foam::melt::pressureOperator::setWallGradient()
 {
     const particles& f = system_.fluid;
     const wallState& walls = system_.walls;
-    const int n = system_.near.walls().empty() ? 0 : f.size();
-
-    wallGradient_.resize(n);
-    wallDivergence_.resize(n);
-    wallWeight_.resize(n);
-    support_.resize(n);
     const double* const solid = system_.near.solid();
+    wallGradient_.reset(system_.near);
+    wallDivergence_.reset(system_.near);
+    wallWeight_.reset(system_.near);
+    support_.reset(system_.near);
 
     // Twice, and corrected: A of particles on a lattice, as those of walls are
     const double onLattice =
         2/latticeMoment(system_.near.kernel(), system_.spacing);
 
+    const std::vector<int>& beside = system_.near.besideWalls();
     system_.near.visit([&](const auto& W, const auto& space)
     {
-        #pragma omp parallel for schedule(dynamic, 256)
-        for (int i = 0; i < n; ++i)
+        #pragma omp parallel for schedule(dynamic, 64)
+        for (int k = 0; k < int(beside.size()); ++k)
         {
-            double bx = 0, by = 0, bz = 0, divergence = 0;
-            double wx = 0, wy = 0, wz = 0, behind = 0;
-            const auto row = system_.near.walls().sourcesOf(i);
-            const std::array<double, 3> g(weight(i));
-
+            const int i = beside[k];
             // A wall does not pull; solids it meets by contact
-            const bool none = p0_[i] < 0 || (solid && solid[i] > 0);
-            const int count = none ? 0 : row.size();
-            for (int k = 0; k < count; ++k)
+            if (p0_[i] < 0 || (solid && solid[i] > 0))
             {
-                const int j = row[k];
+                continue;
+            }
+
+            vector b(Zero), weight(Zero);
+            double divergence = 0, behind = 0;
+            const auto row = system_.near.walls().sourcesOf(i);
+            const vector g(this->weight(i));
+            for (int n = 0; n < row.size(); ++n)
+            {
+                const int j = row[n];
                 double dx = f.x[i] - walls.x[j];
                 double dy = f.y[i] - walls.y[j];
                 double dz = f.z[i] - walls.z[j];
                 space.nearestImage(dx, dy, dz);
-                const double r2 = dx*dx + dy*dy + dz*dz;
+                const vector x(dx, dy, dz);
+                const double r2 = magSqr(x);
                 behind += walls.volume[j]*W.value(r2);
-                const double c =
-                    onLattice*walls.volume[j]*W.gradientOverR(r2);
-                bx += c*dx;
-                by += c*dy;
-                bz += c*dz;
-                divergence += c
-                   *(
-                        walls.wallU[j]*dx
-                      + walls.wallV[j]*dy
-                      + walls.wallW[j]*dz
-                    );
-
-                const double weight = 0.5*c*std::max
+                const vector gradient
                 (
-                    -p0_[i], -f.rho[i]*(g[0]*dx + g[1]*dy + g[2]*dz)
+                    onLattice*walls.volume[j]*W.gradientOverR(r2)*x
                 );
-                wx -= weight*dx;
-                wy -= weight*dy;
-                wz -= weight*dz;
+                b += gradient;
+                divergence +=
+                    vector(walls.wallU[j], walls.wallV[j], walls.wallW[j])
+                  & gradient;
+                weight -=
+                    0.5*std::max(-p0_[i], -f.rho[i]*(g & x))*gradient;
             }
-            support_[i] = wholeSupport(behind);
-            wallGradient_.x[i] = bx;
-            wallGradient_.y[i] = by;
-            wallGradient_.z[i] = bz;
-            wallDivergence_[i] = divergence;
-            wallWeight_.x[i] = f.V[i]*wx;
-            wallWeight_.y[i] = f.V[i]*wy;
-            wallWeight_.z[i] = f.V[i]*wz;
+            support_.ofWallIndex(k) = wholeSupport(behind) - 1;
+            wallGradient_.ofWallIndex(k) = b;
+            wallDivergence_.ofWallIndex(k) = divergence;
+            wallWeight_.ofWallIndex(k) = f.V[i]*weight;
         }
     });
 }
@@ -157,9 +145,9 @@ void Foam::melt::pressureOperator::update(const double deltaT)
             stiffness_[i] /= sqr(theta);
         }
     }
-    for (std::size_t i = 0; i < support_.size(); ++i)
+    for (const int i : system_.near.besideWalls())
     {
-        stiffness_[i] *= support_[i];
+        stiffness_[i] *= 1 + support_[i];
     }
 }
 
@@ -171,17 +159,14 @@ void Foam::melt::pressureOperator::addForce
     vectorArray& force
 )
 {
-    const bool walls = wallGradient_.size();
-    const auto setPressure = [&](const int i, double divergence)
+    const auto setPressure = [&](const int i, const double divergence)
     {
-        if (walls)
-        {
-            divergence += sources*wallDivergence_[i]
-              - v.x[i]*wallGradient_.x[i]
-              - v.y[i]*wallGradient_.y[i]
-              - v.z[i]*wallGradient_.z[i];
-        }
-        p_[i] = sources*p0_[i] - stiffness_[i]*divergence;
+        p_[i] =
+            sources*p0_[i]
+          - stiffness_[i]*withWalls
+            (
+                i, divergence, vector(v.x[i], v.y[i], v.z[i]), sources
+            );
     };
 
     forcePass
@@ -197,9 +182,12 @@ void Foam::melt::pressureOperator::addForce
             p_.data(), system_.fluid.V.data(), A_, wallGradient_, force
         )
     );
-    if (walls)
+    for (const int i : system_.near.besideWalls())
     {
-        force.add(sources, wallWeight_);
+        const vector weight(sources*wallWeight_[i]);
+        force.x[i] += weight.x();
+        force.y[i] += weight.y();
+        force.z[i] += weight.z();
     }
 }
 
@@ -230,18 +218,11 @@ bool Foam::melt::pressureOperator::describe(implicitParts& p) const
 void Foam::melt::pressureOperator::divergence(std::vector<double>& div) const
 {
     const particles& f = system_.fluid;
-    const bool walls = wallGradient_.size();
-
-    const auto set = [&](const int i, double divergence)
+    const auto set = [&](const int i, const double divergence)
     {
-        if (walls)
-        {
-            divergence += wallDivergence_[i]
-              - f.u[i]*wallGradient_.x[i]
-              - f.v[i]*wallGradient_.y[i]
-              - f.w[i]*wallGradient_.z[i];
-        }
-        div[i] = walls ? support_[i]*divergence : divergence;
+        div[i] =
+            (1 + support_[i])
+           *withWalls(i, divergence, vector(f.u[i], f.v[i], f.w[i]), 1);
     };
 
     forcePass
@@ -255,11 +236,11 @@ void Foam::melt::pressureOperator::divergence(std::vector<double>& div) const
 std::size_t Foam::melt::pressureOperator::bytes() const
 {
     return
-        wallGradient_.bytes() + wallWeight_.bytes()
+        wallGradient_.bytes() + wallDivergence_.bytes() + wallWeight_.bytes()
+      + support_.bytes()
       + sizeof(double)
        *(
             p0_.capacity() + p_.capacity() + stiffness_.capacity()
-          + wallDivergence_.capacity() + support_.capacity()
           + 6*A_[0].capacity()
         );
 }

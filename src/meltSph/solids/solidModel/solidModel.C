@@ -201,17 +201,13 @@ void Foam::melt::solidModel::setProperties()
         for (const int i : body.members)
         {
             f.p[i] = 0;
-            // The shear rate, stress over viscosity, stays a number
             if (!f.eta.empty())
             {
                 f.eta[i] = VSMALL;
             }
-            for (particles::array& s : f.S)
+            if (!f.shearRate.empty())
             {
-                if (!s.empty())
-                {
-                    s[i] = 0;
-                }
+                f.shearRate[i] = 0;
             }
         }
     }

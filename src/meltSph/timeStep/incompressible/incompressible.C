@@ -126,22 +126,26 @@ Foam::word Foam::melt::incompressible::kick(const scalar dt)
     // first guess goes on as the step before did
     const double theta = system_.implicitness;
     const double share = theta*dt;
-    guess_.resize(n);
+    vectorArray& guess = equations_.guess();
+    guess.resize(n);
 
     #pragma omp parallel for simd schedule(static)
     for (int i = 0; i < n; ++i)
     {
-        guess_.x[i] = f.u[i] + share*f.axOld[i];
-        guess_.y[i] = f.v[i] + share*f.ayOld[i];
-        guess_.z[i] = f.w[i] + share*f.azOld[i];
-        f.u[i] += share*f.ax[i];
-        f.v[i] += share*f.ay[i];
-        f.w[i] += share*f.az[i];
+        guess.x[i] = f.u[i] + share*f.axOld[i];
+        guess.y[i] = f.v[i] + share*f.ayOld[i];
+        guess.z[i] = f.w[i] + share*f.azOld[i];
     }
-    predicted_.assign(f.u, f.v, f.w);
     for (label nSolved = 1; ; ++nSolved)
     {
-        if (!equations_.implicitUpdate(share, guess_))
+        #pragma omp parallel for simd schedule(static)
+        for (int i = 0; i < n; ++i)
+        {
+            f.u[i] = before_.x[i] + share*f.ax[i];
+            f.v[i] = before_.y[i] + share*f.ay[i];
+            f.w[i] = before_.z[i] + share*f.az[i];
+        }
+        if (!equations_.implicitUpdate(share))
         {
             restoreState();
             return "no convergence";
@@ -150,10 +154,6 @@ Foam::word Foam::melt::incompressible::kick(const scalar dt)
         {
             break;
         }
-        guess_.assign(f.u, f.v, f.w);
-        f.u = predicted_.x;
-        f.v = predicted_.y;
-        f.w = predicted_.z;
     }
 
     #pragma omp parallel for simd schedule(static)

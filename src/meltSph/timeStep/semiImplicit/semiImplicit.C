@@ -44,6 +44,7 @@ bool Foam::melt::semiImplicit::step(const scalar dt)
     const bool xsph = !f.du.empty();
 
     before_.assign(f.u, f.v, f.w);
+    equations_.guess() = before_;
 
     #pragma omp parallel for simd schedule(static)
     for (int i = 0; i < n; ++i)
@@ -52,7 +53,7 @@ bool Foam::melt::semiImplicit::step(const scalar dt)
         f.v[i] += dt*f.ay[i];
         f.w[i] += dt*f.az[i];
     }
-    if (!equations_.implicitUpdate(dt, before_))
+    if (!equations_.implicitUpdate(dt))
     {
         f.u = before_.x;
         f.v = before_.y;

@@ -154,14 +154,10 @@ void Foam::melt::sphEquations::advanceHeat(const scalar deltaT)
 }
 
 
-bool Foam::melt::sphEquations::implicitUpdate
-(
-    const scalar deltaT,
-    const vectorArray& guess
-)
+bool Foam::melt::sphEquations::implicitUpdate(const scalar deltaT)
 {
     const effectTimes::part timing(effectTimes::flow, "implicitForces");
-    return solver_.solve(system_, deltaT, guess);
+    return solver_.solve(system_, deltaT);
 }
 
 

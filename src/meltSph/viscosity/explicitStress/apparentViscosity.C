@@ -6,9 +6,9 @@
 
 #include "apparentViscosity.H"
 #include "effectTimes.H"
+#include "shearRate.H"
 
 #include <algorithm>
-#include <cmath>
 
 namespace
 {
@@ -16,11 +16,9 @@ namespace
 //- sqrt(S:S/2) of particle i
 inline double magnitude(const Foam::melt::particles& f, const int i)
 {
-    const double xx = f.S[0][i], xy = f.S[1][i], xz = f.S[2][i];
-    const double yy = f.S[3][i], yz = f.S[4][i], zz = f.S[5][i];
-    return std::sqrt
+    return Foam::melt::shearRate
     (
-        0.5*(xx*xx + yy*yy + zz*zz) + xy*xy + xz*xz + yz*yz
+        f.S[0][i], f.S[1][i], f.S[2][i], f.S[3][i], f.S[4][i], f.S[5][i]
     );
 }
 
@@ -42,21 +40,23 @@ void Foam::melt::setViscosityAndStress
     );
     constexpr int blockSize = 1024;
     const int n = f.size();
+    const bool stress = !f.S[0].empty();
 
     #pragma omp parallel for schedule(static)
     for (int first = 0; first < n; first += blockSize)
     {
         const int last = std::min(n, first + blockSize);
-        double shearRate[blockSize] = {};
+        double rates[blockSize] = {};
 
         for (int i = first; shearRates && i < last; ++i)
         {
-            shearRate[i - first] = magnitude(f, i)/gain;
+            rates[i - first] =
+                (stress ? magnitude(f, i) : f.shearRate[i])/gain;
         }
-        rheology.eta(last - first, shearRate, &f.T[first], &f.eta[first]);
+        rheology.eta(last - first, rates, &f.T[first], &f.eta[first]);
         for (particles::array& s : f.S)
         {
-            for (int i = first; i < last; ++i)
+            for (int i = first; stress && i < last; ++i)
             {
                 s[i] *= f.eta[i];
             }
@@ -67,7 +67,7 @@ void Foam::melt::setViscosityAndStress
 
 double Foam::melt::shearRateOf(const particles& f, const int i)
 {
-    return magnitude(f, i)/f.eta[i];
+    return f.S[0].empty() ? f.shearRate[i] : magnitude(f, i)/f.eta[i];
 }
 
 // ************************************************************************* //

@@ -63,32 +63,21 @@ void Foam::melt::adjointViscosity::update(const double deltaT)
         row.resize(n);
     }
 
-    const bool anyWalls = !system_.near.walls().empty();
-    const auto moves = [](const double u) { return u != 0; };
-    movingWalls_ =
-        anyWalls
-     && (
-            std::any_of(walls.wallU.begin(), walls.wallU.end(), moves)
-         || std::any_of(walls.wallV.begin(), walls.wallV.end(), moves)
-         || std::any_of(walls.wallW.begin(), walls.wallW.end(), moves)
-        );
-    wallGradient_.resize(anyWalls ? n : 0);
-    for (vectorArray& row : wallVelocityGradient_)
-    {
-        row.resize(movingWalls_ ? n : 0);
-    }
-
+    wallGradient_.reset(system_.near);
+    wallVelocityGradient_.reset(system_.near);
+    const std::vector<int>& beside = system_.near.besideWalls();
     system_.near.visit([&](const auto& W, const auto& space)
     {
-        #pragma omp parallel for schedule(dynamic, 256)
-        for (int i = 0; i < wallGradient_.size(); ++i)
+        #pragma omp parallel for schedule(dynamic, 64)
+        for (int k = 0; k < int(beside.size()); ++k)
         {
-            double bx = 0, by = 0, bz = 0;
-            double g[3][3] = {};
+            const int i = beside[k];
+            vector b(Zero);
+            tensor g(Zero);
             const auto row = system_.near.walls().sourcesOf(i);
-            for (int k = 0; k < row.size(); ++k)
+            for (int n = 0; n < row.size(); ++n)
             {
-                const int j = row[k];
+                const int j = row[n];
                 double dx = f.x[i] - walls.x[j];
                 double dy = f.y[i] - walls.y[j];
                 double dz = f.z[i] - walls.z[j];
@@ -96,28 +85,13 @@ void Foam::melt::adjointViscosity::update(const double deltaT)
                 const double c =
                     walls.volume[j]*wallDrag::factor(system_, i, j)
                    *W.gradientOverR(dx*dx + dy*dy + dz*dz);
-                bx += c*dx;
-                by += c*dy;
-                bz += c*dz;
-
-                const double u[3] =
-                    {walls.wallU[j], walls.wallV[j], walls.wallW[j]};
-                for (int a = 0; a < 3; ++a)
-                {
-                    g[a][0] += c*u[a]*dx;
-                    g[a][1] += c*u[a]*dy;
-                    g[a][2] += c*u[a]*dz;
-                }
+                const vector u(walls.wallU[j], walls.wallV[j], walls.wallW[j]);
+                const vector gradient(c*dx, c*dy, c*dz);
+                b += gradient;
+                g += u*gradient;
             }
-            wallGradient_.x[i] = bx;
-            wallGradient_.y[i] = by;
-            wallGradient_.z[i] = bz;
-            for (int a = 0; movingWalls_ && a < 3; ++a)
-            {
-                wallVelocityGradient_[a].x[i] = g[a][0];
-                wallVelocityGradient_[a].y[i] = g[a][1];
-                wallVelocityGradient_[a].z[i] = g[a][2];
-            }
+            wallGradient_.ofWallIndex(k) = b;
+            wallVelocityGradient_.ofWallIndex(k) = g;
         }
     });
 }
@@ -135,8 +109,8 @@ void Foam::melt::adjointViscosity::addForce
         system_.near, system_.walls, system_.fluid,
         stressOfVelocityLaw
         (
-            system_, eta_, L_, wallGradient_,
-            wallVelocityGradient_, movingWalls_ ? sources : 0, v, SL_
+            system_, eta_, L_, wallGradient_, wallVelocityGradient_, sources,
+            v, SL_
         )
     );
     forcePass
@@ -154,7 +128,10 @@ void Foam::melt::adjointViscosity::addForce
 
 void Foam::melt::adjointViscosity::addDiagonal(blocks& diagonal) const
 {
-    central_.addDiagonal(diagonal);
+    if (centralShare_ > 0)
+    {
+        central_.addDiagonal(diagonal);
+    }
     pairPass
     (
         system_.near, system_.walls, system_.fluid,
@@ -174,14 +151,10 @@ bool Foam::melt::adjointViscosity::describe(implicitParts& p) const
 
 std::size_t Foam::melt::adjointViscosity::bytes() const
 {
-    std::size_t n =
-        central_.bytes() + wallGradient_.bytes()
+    return
+        central_.bytes() + wallGradient_.bytes() + wallVelocityGradient_.bytes()
+      + SL_[0].bytes() + SL_[1].bytes() + SL_[2].bytes()
       + sizeof(double)*(6*L_[0].capacity() + eta_.capacity());
-    for (int a = 0; a < 3; ++a)
-    {
-        n += SL_[a].bytes() + wallVelocityGradient_[a].bytes();
-    }
-    return n;
 }
 
 // ************************************************************************* //

@@ -46,51 +46,17 @@ struct pairCoefficient
 };
 
 
-//- sum_j c_ij x x^T
-struct blockOfPairs
-{
-    double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
-
-    [[gnu::always_inline]] inline void add
-    (
-        const double c,
-        const pairGeometry& p
-    )
-    {
-        xx += c*p.dx*p.dx;
-        xy += c*p.dx*p.dy;
-        xz += c*p.dx*p.dz;
-        yy += c*p.dy*p.dy;
-        yz += c*p.dy*p.dz;
-        zz += c*p.dz*p.dz;
-    }
-
-    void addTo(viscousOperator::blocks& b, const int i, const double V) const
-    {
-        b[0][i] += V*xx;
-        b[1][i] += V*xy;
-        b[2][i] += V*xz;
-        b[3][i] += V*yy;
-        b[4][i] += V*yz;
-        b[5][i] += V*zz;
-    }
-};
-
-
-//- Blocks of the diagonal, and what walls have in them
+//- Blocks of the diagonal but for walls
 class blockLaw
+:
+    public noWalls
 {
-    const sphSystem* s_;
-    const double* eta_;
+    const double *eta_, *V_;
     viscousOperator::blocks* blocks_;
-    viscousOperator::blocks* wallBlocks_;
-    vectorArray* wallPull_;
     pairCoefficient c_;
 
-    int i_ = 0;
     double etai_ = 0;
-    blockOfPairs melt_, walls_;
-    double px_ = 0, py_ = 0, pz_ = 0;
+    double xx_ = 0, xy_ = 0, xz_ = 0, yy_ = 0, yz_ = 0, zz_ = 0;
 
 public:
 
@@ -98,22 +64,17 @@ public:
     (
         const sphSystem& s,
         const double share,
-        viscousOperator::blocks& blocks,
-        viscousOperator::blocks& wallBlocks,
-        vectorArray& wallPull
+        viscousOperator::blocks& blocks
     )
     :
-        s_(&s),
         eta_(s.fluid.eta.data()),
+        V_(s.fluid.V.data()),
         blocks_(&blocks),
-        wallBlocks_(&wallBlocks),
-        wallPull_(&wallPull),
         c_(s.near.kernel(), share)
     {}
 
     [[gnu::always_inline]] inline void start(const int i)
     {
-        i_ = i;
         etai_ = eta_[i];
     }
 
@@ -125,43 +86,31 @@ public:
         const Kernel&
     )
     {
-        melt_.add(c_(etai_, eta_[j], p), p);
-    }
-
-    template<class Kernel>
-    inline void addWall(const int j, const pairGeometry& p, const Kernel&)
-    {
-        const wallState& w = s_->walls;
-        const double c = wallDrag::factor(*s_, i_, j)*c_(etai_, etai_, p);
-        const double pull =
-            c
-           *(
-                w.wallU[j]*p.dx + w.wallV[j]*p.dy + w.wallW[j]*p.dz
-            );
-        walls_.add(c, p);
-        px_ += pull*p.dx;
-        py_ += pull*p.dy;
-        pz_ += pull*p.dz;
+        const double c = c_(etai_, eta_[j], p);
+        xx_ += c*p.dx*p.dx;
+        xy_ += c*p.dx*p.dy;
+        xz_ += c*p.dx*p.dz;
+        yy_ += c*p.dy*p.dy;
+        yz_ += c*p.dy*p.dz;
+        zz_ += c*p.dz*p.dz;
     }
 
     [[gnu::always_inline]] inline void finish(const int i)
     {
-        const double V = s_->fluid.V[i];
-        melt_.addTo(*blocks_, i, V);
-        if (!(*wallBlocks_)[0].empty())
-        {
-            walls_.addTo(*blocks_, i, V);
-            walls_.addTo(*wallBlocks_, i, V);
-        }
-        wallPull_->x[i] = V*px_;
-        wallPull_->y[i] = V*py_;
-        wallPull_->z[i] = V*pz_;
+        const double V = V_[i];
+        viscousOperator::blocks& b = *blocks_;
+        b[0][i] += V*xx_;
+        b[1][i] += V*xy_;
+        b[2][i] += V*xz_;
+        b[3][i] += V*yy_;
+        b[4][i] += V*yz_;
+        b[5][i] += V*zz_;
     }
 };
 
 
-//- sum_j c_ij (v_j.x_ij) x_ij over the fluid alone
-class neighbourLaw
+//- sum_j c_ij (v_ji.x_ij) x_ij over the fluid alone
+class forceLaw
 :
     public noWalls
 {
@@ -169,12 +118,12 @@ class neighbourLaw
     vectorArray* out_;
     pairCoefficient c_;
 
-    double etai_ = 0;
+    double etai_ = 0, ui_ = 0, vi_ = 0, wi_ = 0;
     double x_ = 0, y_ = 0, z_ = 0;
 
 public:
 
-    neighbourLaw
+    forceLaw
     (
         const sphSystem& s,
         const double share,
@@ -194,6 +143,9 @@ public:
     [[gnu::always_inline]] inline void start(const int i)
     {
         etai_ = eta_[i];
+        ui_ = u_[i];
+        vi_ = v_[i];
+        wi_ = w_[i];
     }
 
     template<class Kernel>
@@ -206,7 +158,9 @@ public:
     {
         const double c =
             c_(etai_, eta_[j], p)
-           *(u_[j]*p.dx + v_[j]*p.dy + w_[j]*p.dz);
+           *(
+                (u_[j] - ui_)*p.dx + (v_[j] - vi_)*p.dy + (w_[j] - wi_)*p.dz
+            );
         x_ += c*p.dx;
         y_ += c*p.dy;
         z_ += c*p.dz;
@@ -248,24 +202,49 @@ Foam::melt::centralViscosity::centralViscosity
 
 void Foam::melt::centralViscosity::update(const double)
 {
-    const int n = system_.fluid.size();
-    for (std::vector<double>& component : diagonal_)
-    {
-        component.assign(n, 0);
-    }
-    for (std::vector<double>& component : wallDiagonal_)
-    {
-        component.assign(system_.near.walls().empty() ? 0 : n, 0);
-    }
-    wallPull_.resize(n);
+    const particles& f = system_.fluid;
+    const wallState& walls = system_.walls;
+    const pairCoefficient coefficient(system_.near.kernel(), share_);
+    wallBlock_.reset(system_.near);
+    wallPull_.reset(system_.near);
 
-    forcePass
-    (
-        system_.near,
-        system_.walls,
-        system_.fluid,
-        blockLaw(system_, 1, diagonal_, wallDiagonal_, wallPull_)
-    );
+    const std::vector<int>& beside = system_.near.besideWalls();
+    system_.near.visit([&](const auto& W, const auto& space)
+    {
+        #pragma omp parallel for schedule(dynamic, 64)
+        for (int k = 0; k < int(beside.size()); ++k)
+        {
+            const int i = beside[k];
+            symmTensor block(Zero);
+            vector pull(Zero);
+            const auto row = system_.near.walls().sourcesOf(i);
+            const int count = system_.near.idle(i) ? 0 : row.size();
+            for (int n = 0; n < count; ++n)
+            {
+                const int j = row[n];
+                double dx = f.x[i] - walls.x[j];
+                double dy = f.y[i] - walls.y[j];
+                double dz = f.z[i] - walls.z[j];
+                space.nearestImage(dx, dy, dz);
+                const double r2 = dx*dx + dy*dy + dz*dz;
+                const double V = walls.volume[j];
+                const double c =
+                    wallDrag::factor(system_, i, j)
+                   *coefficient
+                    (
+                        f.eta[i],
+                        f.eta[i],
+                        {dx, dy, dz, r2, V, V*W.gradientOverR(r2)}
+                    );
+                const vector x(dx, dy, dz);
+                const vector u(walls.wallU[j], walls.wallV[j], walls.wallW[j]);
+                block += c*sqr(x);
+                pull += c*(u & x)*x;
+            }
+            wallBlock_.ofWallIndex(k) = f.V[i]*block;
+            wallPull_.ofWallIndex(k) = f.V[i]*pull;
+        }
+    });
 }
 
 
@@ -281,38 +260,39 @@ void Foam::melt::centralViscosity::addForce
         system_.near,
         system_.walls,
         system_.fluid,
-        neighbourLaw(system_, share_, v, force)
+        forceLaw(system_, share_, v, force)
     );
 
-    const blocks& b = diagonal_;
-    const int n = v.size();
-
-    #pragma omp parallel for simd schedule(static)
-    for (int i = 0; i < n; ++i)
+    for (const int i : system_.near.besideWalls())
     {
-        const double x = share_*v.x[i];
-        const double y = share_*v.y[i];
-        const double z = share_*v.z[i];
-        const double pull = share_*sources;
-        force.x[i] +=
-            pull*wallPull_.x[i] - b[0][i]*x - b[1][i]*y - b[2][i]*z;
-        force.y[i] +=
-            pull*wallPull_.y[i] - b[1][i]*x - b[3][i]*y - b[4][i]*z;
-        force.z[i] +=
-            pull*wallPull_.z[i] - b[2][i]*x - b[4][i]*y - b[5][i]*z;
+        const vector wall
+        (
+            sources*wallPull_[i]
+          - (wallBlock_[i] & vector(v.x[i], v.y[i], v.z[i]))
+        );
+        force.x[i] += wall.x();
+        force.y[i] += wall.y();
+        force.z[i] += wall.z();
     }
 }
 
 
 void Foam::melt::centralViscosity::addDiagonal(blocks& diagonal) const
 {
-    for (int component = 0; component < 6; ++component)
+    forcePass
+    (
+        system_.near,
+        system_.walls,
+        system_.fluid,
+        blockLaw(system_, share_, diagonal)
+    );
+
+    for (const int i : system_.near.besideWalls())
     {
-        const std::vector<double>& from = diagonal_[component];
-        std::vector<double>& to = diagonal[component];
-        for (std::size_t i = 0; i < from.size(); ++i)
+        const symmTensor block(wallBlock_[i]);
+        for (direction component = 0; component < 6; ++component)
         {
-            to[i] += share_*from[i];
+            diagonal[component][i] += block[component];
         }
     }
 }
@@ -321,17 +301,14 @@ void Foam::melt::centralViscosity::addDiagonal(blocks& diagonal) const
 bool Foam::melt::centralViscosity::describe(implicitParts& p) const
 {
     p.centralShare = share_;
-    p.centralWall = wallDiagonal_[0].empty() ? nullptr : &wallDiagonal_;
+    p.centralWall = &wallBlock_;
     return true;
 }
 
 
 std::size_t Foam::melt::centralViscosity::bytes() const
 {
-    return
-        wallPull_.bytes()
-      + 6*sizeof(double)
-       *(diagonal_[0].capacity() + wallDiagonal_[0].capacity());
+    return wallBlock_.bytes() + wallPull_.bytes();
 }
 
 // ************************************************************************* //

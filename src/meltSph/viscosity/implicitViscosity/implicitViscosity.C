@@ -59,12 +59,7 @@ Foam::melt::implicitViscosity::implicitViscosity
 void Foam::melt::implicitViscosity::allocate()
 {
     particles& f = system_.fluid;
-    f.require
-    (
-        {
-            &f.eta, &f.S[0], &f.S[1], &f.S[2], &f.S[3], &f.S[4], &f.S[5]
-        }
-    );
+    f.require({&f.eta, &f.shearRate});
 }
 
 

@@ -18,7 +18,7 @@ namespace
 {
 
 //- Solve x = 1, 2, ..., times factor as the matrix
-conjugateGradient<vectorArray>::result solve
+iterationResult solve
 (
     const double factor,
     vectorArray& x,

@@ -55,33 +55,6 @@ TEST(NeighbourList, twoAndFourBytes)
 }
 
 
-// Of two and of four bytes
-TEST(NeighbourList, selectsPairs)
-{
-    for (pointCloud points : {pointCloud::box(20000, 16, 16, 16, 31), largeSlab()})
-    {
-        const neighbourList all = points.sortAndList(1);
-        neighbourList near;
-        for (const double radius : {0.8, 0.6})
-        {
-            near.select(all, [&](const int i, const int j)
-            {
-                return points.distance2(i, points, j) < radius*radius;
-            });
-            const neighbourTable found = sorted(selfRows(near, points.size()));
-            for (int i = 0; i < points.size(); i += 499)
-            {
-                ASSERT_EQ
-                (
-                    found[i], points.closerThan(radius, points, i, true)
-                );
-            }
-            EXPECT_LT(near.bytes(), all.bytes());
-        }
-    }
-}
-
-
 TEST(NeighbourList, sameWithOneAndTwoThreads)
 {
     const int threads = omp_get_max_threads();

@@ -178,4 +178,27 @@ TEST(VelocityGradient, rigidMotionDoesNotDeform)
 }
 
 
+// Of the same velocities
+TEST(VelocityGradient, givesTheShearRateAlone)
+{
+    particleCloud cloud(lattices[0], 3);
+    setLinearVelocity(cloud);
+    particles& f = cloud.fluid;
+    velocityGradient(cloud.near, cloud.walls, f, true);
+    const auto D = f.S;
+
+    f.S = {};
+    velocityGradient(cloud.near, cloud.walls, f, true);
+    for (int i = 0; i < cloud.size(); ++i)
+    {
+        double square = 0;
+        for (int c = 0; c < 6; ++c)
+        {
+            const bool diagonal = component[c][0] == component[c][1];
+            square += (diagonal ? 0.5 : 1)*D[c][i]*D[c][i];
+        }
+        ASSERT_NEAR(f.shearRate[i], std::sqrt(square), 1e-12);
+    }
+}
+
 // ************************************************************************* //

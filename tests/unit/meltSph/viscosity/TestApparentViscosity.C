@@ -150,6 +150,30 @@ TEST(ApparentViscosity, shearRatesAreDividedByTheGain)
 }
 
 
+// Where there is no more of D than the shear rate, the same viscosities
+TEST(ApparentViscosity, takesShearRatesAlone)
+{
+    const auto law = rheology(viscoplastic);
+    particleCloud cloud = deformed();
+    particles& f = cloud.fluid;
+    const auto D = f.S;
+    setViscosityAndStress(*law, f, true, 0.8);
+    const auto eta = f.eta;
+
+    f.S = {};
+    for (int i = 0; i < cloud.size(); ++i)
+    {
+        f.shearRate[i] = shearRate(D, i);
+    }
+    setViscosityAndStress(*law, f, true, 0.8);
+    for (int i = 0; i < cloud.size(); ++i)
+    {
+        ASSERT_NEAR(f.eta[i]/eta[i], 1, 1e-12);
+        ASSERT_EQ(shearRateOf(f, i), f.shearRate[i]);
+    }
+}
+
+
 TEST(ApparentViscosity, meltAtRestHasNoStress)
 {
     const auto law = rheology(viscoplastic);

@@ -209,7 +209,7 @@ TEST_P(ViscousOperator, diagonalBlocksAreThoseOfTheOperator)
         }
         operatorCase test(cloud, GetParam());
         implicitOperator::blocks blocks;
-        for (std::vector<double>& component : blocks)
+        for (std::vector<float>& component : blocks)
         {
             component.assign(cloud.size(), 0);
         }
@@ -220,9 +220,10 @@ TEST_P(ViscousOperator, diagonalBlocksAreThoseOfTheOperator)
             vectorArray v(cloud.size());
             v.x[i] = 1;
             const vectorArray f(test.force(v));
-            EXPECT_NEAR(-f.x[i], blocks[0][i], 1e-10*blocks[0][i]) << i;
-            EXPECT_NEAR(-f.y[i], blocks[1][i], 1e-10*blocks[0][i]) << i;
-            EXPECT_NEAR(-f.z[i], blocks[2][i], 1e-10*blocks[0][i]) << i;
+            // Of single precision, two shares
+            EXPECT_NEAR(-f.x[i], blocks[0][i], 2e-7*blocks[0][i]) << i;
+            EXPECT_NEAR(-f.y[i], blocks[1][i], 2e-7*blocks[0][i]) << i;
+            EXPECT_NEAR(-f.z[i], blocks[2][i], 2e-7*blocks[0][i]) << i;
         }
     }
 }
@@ -325,11 +326,8 @@ TEST_P(ViscousOperator, implicitStepKeepsMomentumAndTakesOutMoreEnergyTheLongerI
             return blockSum(f.size(), [&](int i) { return f.m[i]*f.u[i]; });
         };
         const double p0 = momentum();
-        vectorArray guess(f.size());
-        guess.x = f.u;
-        guess.y = f.v;
-        guess.z = f.w;
-        ASSERT_TRUE(solver.solve(s, deltaT, guess));
+        solver.guess().assign(f.u, f.v, f.w);
+        ASSERT_TRUE(solver.solve(s, deltaT));
         EXPECT_NEAR(momentum(), p0, 1e-8*f.m[0]*f.size());
 
         const double energy = blockSum
