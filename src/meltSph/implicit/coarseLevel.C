@@ -166,25 +166,21 @@ bool Foam::melt::coarseLevel::build
 
     A.makeCompressed();
     nodes_.resize(n);
-    factor_.isSymmetric(true);
-    factor_.setPivotThreshold(0);
-    factor_.compute(A);
-    return factor_.info() == Eigen::Success;
+    return factors_.compute(A);
 }
 
 
 void Foam::melt::coarseLevel::solveNodes(const vectorArray& r)
 {
     grid_.restrict(*fluid_, r, nodes_.data());
-    nodes_ = factor_.solve(nodes_);
+    factors_.solve(nodes_);
 }
 
 
 std::size_t Foam::melt::coarseLevel::bytes() const
 {
     return
-        grid_.bytes() + sizeof(double)*nodes_.size()
-      + (nodes_.size() ? sizeof(double)*(factor_.nnzL() + factor_.nnzU()) : 0);
+        grid_.bytes() + sizeof(double)*nodes_.size() + factors_.bytes();
 }
 
 // ************************************************************************* //
