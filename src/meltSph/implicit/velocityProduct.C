@@ -147,7 +147,7 @@ void Foam::melt::velocityProduct::setStress
 
     for (int a = 0; a < 3; ++a)
     {
-        Q_[i].Q[a] =
+        Q_[i][a] =
             {{float(Q(0, a)), float(Q(1, a)), float(Q(2, a)), float(own[a])}};
     }
 }
@@ -179,7 +179,7 @@ void Foam::melt::velocityProduct::sumForces(vectorArrayOf<Number>& Kv) const
                 {
                     const pairVectors p
                     (
-                        W, Q_, unit_, near.solid(), i, j + k
+                        W, v_, unit_, near.solid(), i, j + k
                     );
                     const float8 c[3] = {p.c*p.x, p.c*p.y, p.c*p.z};
                     for (int a = 0; a < 3; ++a)
@@ -191,7 +191,7 @@ void Foam::melt::velocityProduct::sumForces(vectorArrayOf<Number>& Kv) const
                 // Columns are vectors already: not worth transposing
                 for (int k = 0; k < n; ++k)
                 {
-                    const quad* const Qj = Q_[j[k]].Q;
+                    const std::array<quad, 3>& Qj = Q_[j[k]];
                     for (int a = 0; a < 3; ++a)
                     {
                         force[a] += load(Qj[a])*g[a][k];
@@ -199,7 +199,7 @@ void Foam::melt::velocityProduct::sumForces(vectorArrayOf<Number>& Kv) const
                 }
             }
 
-            const quad* const Qi = Q_[i].Q;
+            const std::array<quad, 3>& Qi = Q_[i];
             for (int a = 0; a < 3; ++a)
             {
                 force[a] += load(Qi[a])*sum(sumG[a]);
@@ -249,7 +249,6 @@ void Foam::melt::velocityProduct::build
             },
             float(f.V[i]/volume)
         };
-        Q_[i].at = v_[i].at;
     }
 }
 
@@ -295,7 +294,7 @@ template void Foam::melt::velocityProduct::apply
 
 std::size_t Foam::melt::velocityProduct::bytes() const
 {
-    return sizeof(motion)*v_.capacity() + sizeof(stress)*Q_.capacity();
+    return sizeof(motion)*v_.capacity() + sizeof(Q_[0])*Q_.capacity();
 }
 
 // ************************************************************************* //

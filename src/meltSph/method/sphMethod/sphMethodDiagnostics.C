@@ -196,7 +196,10 @@ void Foam::melt::sphMethod::report(Ostream& os) const
         << scalar(system_.near.fluid().nPairs())/max(n, 1)
         << " neighbours listed a particle, lists built "
         << label(system_.near.nBuilds()) << " times, "
-        << label((f.bytes() + system_.near.bytes())/max(n, 1))
+        << label
+           (
+               (f.bytes() + system_.near.bytes() + scheme_->bytes())/max(n, 1)
+           )
         << " bytes a particle" << nl
         << "     sound " << system_.soundSpeed << " m/s, density within "
         << 100*densityError << " %, put back at walls "

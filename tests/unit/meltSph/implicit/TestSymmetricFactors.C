@@ -84,15 +84,18 @@ TEST(SymmetricFactors, areSymmetric)
 }
 
 
-TEST(SymmetricFactors, holdHalfOfThoseWithoutSymmetry)
+TEST(SymmetricFactors, holdLessThanThoseWithoutSymmetry)
 {
     const matrix A(springs(9, 1));
     symmetricFactors factors;
     ASSERT_TRUE(factors.compute(A));
-    Eigen::SparseLU<matrix, Eigen::NaturalOrdering<int>> both(A);
+    Eigen::SparseLU<matrix, Eigen::NaturalOrdering<int>> both;
+    both.isSymmetric(true);
+    both.compute(A);
+    // With its indices, and those of the other without
     EXPECT_LT
     (
-        factors.bytes(), 0.6*sizeof(double)*(both.nnzL() + both.nnzU())
+        factors.bytes(), 0.8*sizeof(double)*(both.nnzL() + both.nnzU())
     );
 }
 

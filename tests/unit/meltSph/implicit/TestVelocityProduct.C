@@ -177,11 +177,11 @@ TEST_P(VelocityProduct, isThatOfTheOperatorsInAPeriodicBox)
 }
 
 
-// Nothing of a pair but its two bytes
+// Nothing of a pair
 TEST_P(VelocityProduct, holdsLittle)
 {
     productCase test(lump(6, false), GetParam());
-    EXPECT_LT(test.product.bytes(), 300*test.cloud.size());
+    EXPECT_LE(test.product.bytes(), 80*test.cloud.size());
 }
 
 
