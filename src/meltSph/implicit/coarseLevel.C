@@ -112,7 +112,7 @@ bool Foam::melt::coarseLevel::build
 )
 {
     fluid_ = &system.fluid;
-    grid_.build(system.fluid, cellSize);
+    grid_.build(system.fluid, cellSize, system.near.box());
 
     const int nCells = grid_.nCells();
     const int n = 3*grid_.nNodes();

@@ -66,12 +66,27 @@ void dissect
 
 std::vector<int> Foam::melt::nestedDissection
 (
-    const std::vector<std::array<std::int64_t, 3>>& nodes
+    const std::vector<std::array<std::int64_t, 3>>& nodes,
+    const std::array<std::int64_t, 3>& nInPeriod
 )
 {
     std::vector<int> order(nodes.size());
     std::iota(order.begin(), order.end(), 0);
-    dissect(nodes, order.begin(), order.end());
+    iterator end = order.end();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        if (nInPeriod[axis])
+        {
+            const iterator seam = std::stable_partition
+            (
+                order.begin(), end,
+                [&](const int i) { return nodes[i][axis] != 0; }
+            );
+            dissect(nodes, seam, end);
+            end = seam;
+        }
+    }
+    dissect(nodes, order.begin(), end);
 
     std::vector<int> placeOf(nodes.size());
     for (std::size_t place = 0; place < order.size(); ++place)

@@ -82,6 +82,44 @@ inline std::array<double, Foam::melt::trilinearGrid::nCorners> cornerValues
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+template<class Space>
+inline std::array<double, 3> Foam::melt::trilinearGrid::local
+(
+    const particles& f,
+    const int cell,
+    const int i,
+    const Space& space
+) const
+{
+    const std::array<double, 3>& centre = centres_[cell];
+    double dx = f.x[i] - centre[0];
+    double dy = f.y[i] - centre[1];
+    double dz = f.z[i] - centre[2];
+    space.nearestImage(dx, dy, dz);
+    return
+    {
+        0.5 + dx*perSize_[0], 0.5 + dy*perSize_[1], 0.5 + dz*perSize_[2]
+    };
+}
+
+
+template<class Space, class Visit>
+inline void Foam::melt::trilinearGrid::forValues
+(
+    const particles& f,
+    const int cell,
+    const Visit& visit,
+    const Space& space
+) const
+{
+    for (int k = startMembers_[cell]; k < startMembers_[cell + 1]; ++k)
+    {
+        const int i = members_[k];
+        visit(i, cornerValues(local(f, cell, i, space)));
+    }
+}
+
+
 template<class Visit>
 inline void Foam::melt::trilinearGrid::forValues
 (
@@ -90,32 +128,65 @@ inline void Foam::melt::trilinearGrid::forValues
     const Visit& visit
 ) const
 {
-    const std::array<double, 3> low = lowest_[cell];
-    const double perSize = 1/size_;
-    for (int k = startMembers_[cell]; k < startMembers_[cell + 1]; ++k)
+    if (box_.any())
     {
-        const int i = members_[k];
-        visit
-        (
-            i,
-            cornerValues
-            ({
-                (f.x[i] - low[0])*perSize,
-                (f.y[i] - low[1])*perSize,
-                (f.z[i] - low[2])*perSize
-            })
-        );
+        forValues(f, cell, visit, box_);
     }
+    else
+    {
+        forValues(f, cell, visit, openSpace());
+    }
+}
+
+
+void Foam::melt::trilinearGrid::setSizes
+(
+    const periodicBox& box,
+    const double cellSize
+)
+{
+    box_ = box;
+    for (int d = 0; d < 3; ++d)
+    {
+        const double period = box.period(d);
+        nInPeriod_[d] = std::int64_t(std::ceil(period/cellSize));
+        size_[d] = nInPeriod_[d] ? period/double(nInPeriod_[d]) : cellSize;
+        perSize_[d] = 1/size_[d];
+    }
+}
+
+
+std::array<std::int64_t, 3> Foam::melt::trilinearGrid::cellAt
+(
+    const particles& f,
+    const int i
+) const
+{
+    const double x[3] = {f.x[i], f.y[i], f.z[i]};
+    index cell;
+    for (int d = 0; d < 3; ++d)
+    {
+        cell[d] =
+            nInPeriod_[d]
+          ? std::min
+            (
+                std::int64_t((box_.inside(x[d], d) - box_.lowest(d))/size_[d]),
+                nInPeriod_[d] - 1
+            )
+          : std::int64_t(std::floor(x[d]/size_[d]));
+    }
+    return cell;
 }
 
 
 void Foam::melt::trilinearGrid::setCorners(const std::vector<index>& cells)
 {
-    const auto corner = [](index cell, const int c)
+    const auto corner = [&](index cell, const int c)
     {
         for (int d = 0; d < 3; ++d)
         {
             cell[d] += (c >> d) & 1;
+            cell[d] -= nInPeriod_[d] && cell[d] == nInPeriod_[d] ? cell[d] : 0;
         }
         return cell;
     };
@@ -130,7 +201,7 @@ void Foam::melt::trilinearGrid::setCorners(const std::vector<index>& cells)
         }
     }
     makeSet(nodes);
-    const std::vector<int> place(nestedDissection(nodes));
+    const std::vector<int> place(nestedDissection(nodes, nInPeriod_));
 
     corners_.resize(cells.size());
     std::vector<int> nodeOf;
@@ -151,26 +222,17 @@ void Foam::melt::trilinearGrid::setCorners(const std::vector<index>& cells)
 void Foam::melt::trilinearGrid::build
 (
     const particles& f,
-    const double cellSize
+    const double cellSize,
+    const periodicBox& box
 )
 {
     const int n = f.size();
-    size_ = cellSize;
-
-    const auto cellAt = [&](const int i)
-    {
-        return index
-        {
-            std::int64_t(std::floor(f.x[i]/cellSize)),
-            std::int64_t(std::floor(f.y[i]/cellSize)),
-            std::int64_t(std::floor(f.z[i]/cellSize))
-        };
-    };
+    setSizes(box, cellSize);
 
     std::vector<index> cells(n);
     for (int i = 0; i < n; ++i)
     {
-        cells[i] = cellAt(i);
+        cells[i] = cellAt(f, i);
     }
     makeSet(cells);
 
@@ -178,16 +240,17 @@ void Foam::melt::trilinearGrid::build
     #pragma omp parallel for schedule(static)
     for (int i = 0; i < n; ++i)
     {
-        cellOf[i] = find(cells, cellAt(i));
+        cellOf[i] = find(cells, cellAt(f, i));
     }
     groupBy(cellOf, int(cells.size()), startMembers_, members_);
 
-    lowest_.resize(cells.size());
+    centres_.resize(cells.size());
     for (std::size_t k = 0; k < cells.size(); ++k)
     {
         for (int d = 0; d < 3; ++d)
         {
-            lowest_[k][d] = cellSize*double(cells[k][d]);
+            const double lowest = nInPeriod_[d] ? box.lowest(d) : 0;
+            centres_[k][d] = lowest + size_[d]*(double(cells[k][d]) + 0.5);
         }
     }
     setCorners(cells);
@@ -202,20 +265,18 @@ Foam::melt::trilinearGrid::shape Foam::melt::trilinearGrid::at
     const int i
 ) const
 {
-    const std::array<double, 3>& low = lowest_[cell];
-    const std::array<double, 3> s =
-    {
-        (f.x[i] - low[0])/size_,
-        (f.y[i] - low[1])/size_,
-        (f.z[i] - low[2])/size_
-    };
+    const std::array<double, 3> s = local(f, cell, i, box_);
     const double part[3][2] =
     {
         {1 - s[0], s[0]},
         {1 - s[1], s[1]},
         {1 - s[2], s[2]}
     };
-    const double slope[2] = {-1/size_, 1/size_};
+
+    const auto slope = [&](const int upper, const int axis)
+    {
+        return upper ? perSize_[axis] : -perSize_[axis];
+    };
 
     shape result;
     result.N = cornerValues(s);
@@ -224,9 +285,9 @@ Foam::melt::trilinearGrid::shape Foam::melt::trilinearGrid::at
         const int a = c & 1, b = (c >> 1) & 1, d = (c >> 2) & 1;
         result.gradient[c] =
         {
-            slope[a]*part[1][b]*part[2][d],
-            part[0][a]*slope[b]*part[2][d],
-            part[0][a]*part[1][b]*slope[d]
+            slope(a, 0)*part[1][b]*part[2][d],
+            part[0][a]*slope(b, 1)*part[2][d],
+            part[0][a]*part[1][b]*slope(d, 2)
         };
     }
     return result;
@@ -335,7 +396,7 @@ std::size_t Foam::melt::trilinearGrid::bytes() const
           + startMembers_.capacity() + nCorners*corners_.capacity()
         )
       + 3*sizeof(double)
-       *(lowest_.capacity() + nCorners*cornerSums_.capacity());
+       *(centres_.capacity() + nCorners*cornerSums_.capacity());
 }
 
 // ************************************************************************* //

@@ -41,7 +41,12 @@ std::vector<node> box(const int nx, const int ny, const int nz)
 
 //- Entries of the factor of the matrix of trilinear elements, nodes in order
 template<class Ordering>
-long entries(const std::vector<node>& nodes, const std::vector<int>& place)
+long entries
+(
+    const std::vector<node>& nodes,
+    const std::vector<int>& place,
+    const node& nInPeriod = {}
+)
 {
     const int n = int(nodes.size());
     std::vector<Eigen::Triplet<double>> a;
@@ -51,7 +56,8 @@ long entries(const std::vector<node>& nodes, const std::vector<int>& place)
         {
             const auto near = [&](const int axis)
             {
-                return std::abs(nodes[i][axis] - nodes[j][axis]) < 2;
+                const auto d = std::abs(nodes[i][axis] - nodes[j][axis]);
+                return d < 2 || d == nInPeriod[axis] - 1;
             };
             if (near(0) && near(1) && near(2))
             {
@@ -89,6 +95,31 @@ TEST(NestedDissection, isAnOrderWithLittleFill)
             entries<Eigen::AMDOrdering<int>>(nodes, numbers)
         );
     }
+}
+
+
+TEST(NestedDissection, cutsPeriodsOpen)
+{
+    std::vector<node> nodes(box(24, 6, 6));
+    for (node& n : nodes)
+    {
+        n[0] += 3;
+    }
+    const node period{24, 0, 0};
+    const std::vector<int> place(nestedDissection(nodes, period));
+    std::vector<int> sorted(place), numbers(place.size());
+    std::sort(sorted.begin(), sorted.end());
+    std::iota(numbers.begin(), numbers.end(), 0);
+    EXPECT_EQ(sorted, numbers);
+
+    const long fill =
+        entries<Eigen::NaturalOrdering<int>>(nodes, place, period);
+    EXPECT_LT(fill, entries<Eigen::AMDOrdering<int>>(nodes, numbers, period));
+    const std::vector<int> closed(nestedDissection(nodes));
+    EXPECT_LT
+    (
+        fill, entries<Eigen::NaturalOrdering<int>>(nodes, closed, period)
+    );
 }
 
 
