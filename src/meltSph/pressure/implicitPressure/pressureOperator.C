@@ -6,6 +6,7 @@
 
 #include "pressureOperator.H"
 #include "latticeMoment.H"
+#include "normalSpan.H"
 #include "pressureOperatorLaws.H"
 #include "surfaceCorrection.H"
 #include "wholeSupport.H"
@@ -27,17 +28,17 @@ Foam::melt::pressureOperator::pressureOperator
 {}
 
 
-Foam::vector Foam::melt::pressureOperator::weight(const int i) const
+double Foam::melt::pressureOperator::held(const int i) const
 {
     const particles& f = system_.fluid;
     const vector g(system_.g[0], system_.g[1], system_.g[2]);
     const double g2 = magSqr(g);
     if (f.axOld.empty() || g2 == 0)
     {
-        return g;
+        return 1;
     }
     const double falls = (vector(f.axOld[i], f.ayOld[i], f.azOld[i]) & g)/g2;
-    return std::clamp(1 - falls, 0.0, 1.0)*g;
+    return std::clamp(1 - falls, 0.0, 1.0);
 }
 
 
@@ -68,10 +69,15 @@ void Foam::melt::pressureOperator::setWallGradient()
                 continue;
             }
 
-            vector b(Zero), weight(Zero);
+            vector b(Zero), weight(Zero), motion(Zero);
             double divergence = 0, behind = 0;
+            normalSpan normals;
             const auto row = system_.near.walls().sourcesOf(i);
-            const vector g(this->weight(i));
+            const double share = held(i);
+            const vector g
+            (
+                share*system_.g[0], share*system_.g[1], share*system_.g[2]
+            );
             for (int n = 0; n < row.size(); ++n)
             {
                 const int j = row[n];
@@ -81,24 +87,61 @@ void Foam::melt::pressureOperator::setWallGradient()
                 space.nearestImage(dx, dy, dz);
                 const vector x(dx, dy, dz);
                 const double r2 = magSqr(x);
-                behind += walls.volume[j]*W.value(r2);
+                const double beyond = walls.volume[j]*W.value(r2);
+                const vector U(walls.wallU[j], walls.wallV[j], walls.wallW[j]);
+                behind += beyond;
+                motion += beyond*U;
+                normals.add(walls.nx[j], walls.ny[j], walls.nz[j]);
                 const vector gradient
                 (
                     onLattice*walls.volume[j]*W.gradientOverR(r2)*x
                 );
                 b += gradient;
-                divergence +=
-                    vector(walls.wallU[j], walls.wallV[j], walls.wallW[j])
-                  & gradient;
+                divergence += U & gradient;
                 weight -=
                     0.5*std::max(-p0_[i], -f.rho[i]*(g & x))*gradient;
             }
             support_.ofWallIndex(k) = wholeSupport(behind) - 1;
-            wallGradient_.ofWallIndex(k) = b;
-            wallDivergence_.ofWallIndex(k) = divergence;
+            const vector across(normals.project(b));
+            wallGradient_.ofWallIndex(k) = across;
+            // Walls that move with the melt do not strain it
+            wallDivergence_.ofWallIndex(k) =
+                divergence + (motion & (across - b))/max(behind, VSMALL);
             wallWeight_.ofWallIndex(k) = f.V[i]*weight;
         }
     });
+}
+
+
+void Foam::melt::pressureOperator::setSolidWeight()
+{
+    const double* const solid = system_.near.solid();
+    const particles& f = system_.fluid;
+    const int n = solid ? f.size() : 0;
+    positive_.resize(n);
+    carried_.resize(n);
+    solidWeight_.resize(n);
+    if (n == 0)
+    {
+        return;
+    }
+
+    #pragma omp parallel for simd schedule(static)
+    for (int i = 0; i < n; ++i)
+    {
+        positive_[i] = std::max(p0_[i], 0.0);
+        carried_[i] = solid[i] > 0 ? 0 : held(i)*f.rho[i];
+    }
+    solidWeight_.zero();
+    forcePass
+    (
+        system_.near, system_.walls, f,
+        solidWeightLaw
+        (
+            solid, positive_, carried_, f.V, system_.g,
+            latticeMoment(system_.near.kernel(), system_.spacing), solidWeight_
+        )
+    );
 }
 
 
@@ -132,6 +175,7 @@ void Foam::melt::pressureOperator::update(const double deltaT)
     }
     surfaceCorrection(system_, maxCondition_, A_);
     setWallGradient();
+    setSolidWeight();
 
     // That of the density at the step's end, in terms of the mean velocity
     const double theta = system_.implicitness;
@@ -189,6 +233,10 @@ void Foam::melt::pressureOperator::addForce
         force.y[i] += weight.y();
         force.z[i] += weight.z();
     }
+    if (solidWeight_.size())
+    {
+        force.add(sources, solidWeight_);
+    }
 }
 
 
@@ -237,10 +285,11 @@ std::size_t Foam::melt::pressureOperator::bytes() const
 {
     return
         wallGradient_.bytes() + wallDivergence_.bytes() + wallWeight_.bytes()
-      + support_.bytes()
+      + support_.bytes() + solidWeight_.bytes()
       + sizeof(double)
        *(
             p0_.capacity() + p_.capacity() + stiffness_.capacity()
+          + positive_.capacity() + carried_.capacity()
           + 6*A_[0].capacity()
         );
 }

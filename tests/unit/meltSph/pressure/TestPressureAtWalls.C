@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace Foam
 {
 namespace melt
@@ -83,6 +85,74 @@ TEST(PressureAtWalls, wallsDoNotHoldUpWhatFalls)
     EXPECT_EQ(change(-10), 0);
     EXPECT_EQ(change(-20), 0);
     EXPECT_EQ(change(5), atRest);
+}
+
+
+// So does a solid, which takes up what it gives
+TEST(PressureAtWalls, solidCarriesTheWeight)
+{
+    const smoothingKernel::kernelType kernel =
+        smoothingKernel::kernelType::wendlandC2;
+    particleCloud cloud(lattice{{9, 12, 9}, 0.01, kernel, 1.3});
+
+    pressureCase test(cloud, 0);
+    sphSystem& s = test.scheme.system;
+    particles& f = s.fluid;
+    s.g = {0, -10, 0};
+    const double rho0 = s.thermo.rho();
+    f.body.resize(f.size());
+    s.solid.resize(f.size());
+    for (int i = 0; i < f.size(); ++i)
+    {
+        s.solid[i] = f.y[i] < 0.03;
+        f.body[i] = s.solid[i] ? 0 : -1;
+        f.rho[i] = rho0*(s.solid[i] ? 1 : 1 + 10*(0.12 - f.y[i])/400);
+        f.V[i] = f.m[i]/f.rho[i];
+    }
+    s.near.setSolids(f.body);
+    test.pressure.update(0);
+
+    const vectorArray force(test.force(vectorArray(f.size()), 1));
+    double sum = 0, largest = 0;
+    for (int i = 0; i < f.size(); ++i)
+    {
+        sum += force.y[i];
+        largest = std::max(largest, std::abs(force.y[i]));
+        if (std::abs(f.x[i] - 0.045) < 1e-6 && std::abs(f.z[i] - 0.045) < 1e-6
+         && f.y[i] > 0.03 && f.y[i] < 0.08)
+        {
+            EXPECT_NEAR(force.y[i]/(10*f.m[i]), 1, 0.03) << f.y[i];
+        }
+    }
+    EXPECT_NEAR(sum, 0, 1e-12*largest*f.size());
+}
+
+
+// Melt slides along walls as if their particles were a smooth layer
+TEST(PressureAtWalls, slidingIsNoStrain)
+{
+    particleCloud cloud
+    (
+        lattice{{9, 9, 9}, 0.01, smoothingKernel::kernelType::wendlandC2, 1.2, 0.3}
+    );
+    cloud.addWall(0, false);
+    cloud.addWall(1, false);
+    cloud.build();
+    pressureCase test(cloud, 0);
+    particles& f = test.scheme.system.fluid;
+    const int n = f.size();
+    std::vector<double> divergence(n);
+
+    f.u = f.v = std::vector<double>(n, 0);
+    f.w = std::vector<double>(n, 1);
+    test.pressure.divergence(divergence);
+    for (const double each : divergence)
+    {
+        ASSERT_NEAR(each, 0, 1e-10);
+    }
+    f.u = f.w;
+    test.pressure.divergence(divergence);
+    EXPECT_GT(*std::max_element(divergence.begin(), divergence.end()), 10);
 }
 
 
