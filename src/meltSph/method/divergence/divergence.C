@@ -64,14 +64,15 @@ void Foam::melt::endDivergedRun
 (
     const particles& f,
     const scalar time,
-    const std::string& reason
+    const std::string& reason,
+    const int particlei
 )
 {
     FatalErrorInFunction
         << "The run has diverged at time " << time << " s: "
         << reason.c_str() << '.' << nl;
 
-    const int i = divergedParticle(f);
+    const int i = particlei < 0 ? divergedParticle(f) : particlei;
     if (i >= 0)
     {
         FatalError

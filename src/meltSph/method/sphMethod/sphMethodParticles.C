@@ -197,6 +197,7 @@ void Foam::melt::sphMethod::removeEscaped()
     };
 
     std::vector<int> staying;
+    int escaped = -1;
     for (int i = 0; i < f.size(); ++i)
     {
         const point image
@@ -209,6 +210,7 @@ void Foam::melt::sphMethod::removeEscaped()
         }
         else
         {
+            escaped = i;
             escapedMass_ += f.m[i];
         }
     }
@@ -231,7 +233,8 @@ void Foam::melt::sphMethod::removeEscaped()
             (
                 f,
                 mesh_.time().value(),
-                "a particle has left the domain, which has no open patch"
+                "a particle has left the domain, which has no open patch",
+                escaped
             );
         }
         f.permute(staying);
