@@ -56,6 +56,14 @@ Foam::melt::solidModel::solidModel(const dictionary& dict, sphSystem& system)
         )
        *system.spacing
     ),
+    contactError_
+    (
+        checkedEntry::getOrDefault
+        (
+            dict, "contactError", dimless, checkedEntry::notNegative(), 1e-3
+        )
+       *system.spacing
+    ),
     system_(system)
 {}
 
@@ -134,6 +142,42 @@ void Foam::melt::solidModel::collide(const scalar deltaT)
 }
 
 
+bool Foam::melt::solidModel::hold
+(
+    const vectorArray& before,
+    const vectorArray& now,
+    const scalar deltaT
+)
+{
+    bool any = false;
+    for (solidBody& body : bodies_)
+    {
+        body.held = false;
+        for (const int i : body.members)
+        {
+            const vector change
+            (
+                now.x[i] - before.x[i],
+                now.y[i] - before.y[i],
+                now.z[i] - before.z[i]
+            );
+            body.held = body.held || deltaT*mag(change) > contactError_;
+        }
+        any = any || body.held;
+    }
+    return any;
+}
+
+
+void Foam::melt::solidModel::release()
+{
+    for (solidBody& body : bodies_)
+    {
+        body.held = false;
+    }
+}
+
+
 void Foam::melt::solidModel::move(const scalar deltaT)
 {
     // Particles may have been sorted since the last time
@@ -170,7 +214,7 @@ void Foam::melt::solidModel::project(vectorArray& force) const
         {
             const vector each
             (
-                body.fixed
+                body.fixed || body.held
               ? vector(Zero)
               : vector(f.m[i]*(A + (alpha ^ body.arm(f, i))))
             );

@@ -161,6 +161,23 @@ bool Foam::melt::sphEquations::implicitUpdate(const scalar deltaT)
 }
 
 
+void Foam::melt::sphEquations::addImplicitForces
+(
+    const vectorArray& v,
+    const double sources,
+    vectorArray& force
+)
+{
+    for (rateTerm& term : terms_)
+    {
+        if (implicitOperator* o = term.implicitForce())
+        {
+            o->addForce(v, sources, force);
+        }
+    }
+}
+
+
 bool Foam::melt::sphEquations::couple(const label nSolved)
 {
     bool coupled = true;

@@ -136,6 +136,59 @@ TEST(Incompressible, isOfFirstOrderWithASmallError)
 }
 
 
+// A solid that lies on the floor holds the liquid on it up in each step, not only
+// after it: without, the liquid sinks into it by g dt a step
+TEST(Incompressible, liquidRestsOnASolid)
+{
+    particleCloud cloud
+    (
+        lattice{{5, 8, 5}, 0.01, smoothingKernel::kernelType::wendlandC2, 1.2}
+    );
+    for (const bool upper : {false, true})
+    {
+        cloud.addWall(0, upper);
+        cloud.addWall(2, upper);
+    }
+    cloud.addWall(1, false);
+    cloud.build();
+
+    schemeCase scheme
+    (
+        cloud, numerics() + " solids { type rigid; friction 0; }",
+        "rigidSolids on;"
+    );
+    sphSystem& s = scheme.system;
+    s.near = cloud.near;
+    s.walls = cloud.walls;
+    s.g = {0, -9.81, 0};
+    particles& f = s.fluid;
+    for (int i = 0; i < f.size(); ++i)
+    {
+        f.h[i] = f.y[i] < 0.03 ? -1e3 : 1e3;
+    }
+    const auto height = [&](const bool solid)
+    {
+        double sum = 0;
+        int n = 0;
+        for (int i = 0; i < f.size(); ++i)
+        {
+            if (f.h[i] < 0 ? solid : !solid)
+            {
+                sum += f.y[i];
+                ++n;
+            }
+        }
+        return sum/n;
+    };
+    const double liquid = height(false);
+    const double deltaT = 1e-3;
+    const label n = 50;
+    scheme.run(n*deltaT, n);
+    EXPECT_NEAR(height(true), 0.015, 1e-12);
+    EXPECT_NEAR(height(false), liquid, 0.1*9.81*deltaT*n*deltaT);
+}
+
+
 // Forces without torque at the positions they are taken at, and the velocities
 // they give move the particles
 TEST(Incompressible, keepsAngularMomentumOfASpinningLump)
