@@ -131,10 +131,9 @@ TEST(PressureAtWalls, solidCarriesTheWeight)
 // Melt slides along walls as if their particles were a smooth layer
 TEST(PressureAtWalls, slidingIsNoStrain)
 {
-    particleCloud cloud
-    (
-        lattice{{9, 9, 9}, 0.01, smoothingKernel::kernelType::wendlandC2, 1.2, 0.3}
-    );
+    const smoothingKernel::kernelType kernel =
+        smoothingKernel::kernelType::wendlandC2;
+    particleCloud cloud(lattice{{9, 9, 9}, 0.01, kernel, 1.2, 0.3});
     cloud.addWall(0, false);
     cloud.addWall(1, false);
     cloud.build();
@@ -150,7 +149,22 @@ TEST(PressureAtWalls, slidingIsNoStrain)
     {
         ASSERT_NEAR(each, 0, 1e-10);
     }
+
+    // With the walls
+    wallState& walls = test.scheme.system.walls;
+    walls.wallU.assign(walls.size(), 1);
+    walls.wallW.assign(walls.size(), 3);
     f.u = f.w;
+    f.w.assign(n, 2);
+    test.pressure.update(0);
+    test.pressure.divergence(divergence);
+    for (const double each : divergence)
+    {
+        ASSERT_NEAR(each, 0, 1e-10);
+    }
+
+    walls.wallU.assign(walls.size(), 0);
+    test.pressure.update(0);
     test.pressure.divergence(divergence);
     EXPECT_GT(*std::max_element(divergence.begin(), divergence.end()), 10);
 }

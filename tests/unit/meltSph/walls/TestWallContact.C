@@ -8,6 +8,7 @@
 #include "meltUnitTests.H"
 #include "wallContact.H"
 
+#include <algorithm>
 #include <cmath>
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
@@ -75,12 +76,14 @@ TEST(WallContact, particleInAnEdgeReturns)
     {
         particleCloud cloud = room(1);
         particles& f = cloud.fluid;
-        const int i = 40;
-        f.x[i] = 0.09 + behindX;
-        f.y[i] = 0.042;
-        f.z[i] = -2e-8;
-        f.u[i] = 1;
-        f.w[i] = -5;
+        const int id = f.id[40];
+        f.x[40] = 0.09 + behindX;
+        f.y[40] = 0.042;
+        f.z[40] = -2e-8;
+        f.u[40] = 1;
+        f.w[40] = -5;
+        cloud.build();
+        const int i = int(std::find(f.id.begin(), f.id.end(), id) - f.id.begin());
         EXPECT_EQ(keepInFrontOfWalls(cloud.near, cloud.walls, f), 1);
 
         EXPECT_NEAR(f.x[i], 0.09 - std::abs(behindX), 1e-15);
