@@ -1,0 +1,261 @@
+/*---------------------------------------------------------------------------*\
+    meltFoam: melting and flowing of highly viscous materials
+    Copyright (C) 2026 The meltFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "velocitySystem.H"
+#include "sphSystem.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::melt::velocitySystem::addForces
+(
+    const vectorArray& v,
+    const double sources,
+    vectorArray& force
+)
+{
+    force.zero();
+    for (implicitOperator* o : operators_)
+    {
+        o->addForce(v, sources, force);
+    }
+}
+
+
+void Foam::melt::velocitySystem::invertBlocks()
+{
+    implicitOperator::blocks& b = inverse_;
+    for (std::vector<float>& component : b)
+    {
+        component.assign(fluid_->size(), 0);
+    }
+    for (const implicitOperator* o : operators_)
+    {
+        o->addDiagonal(b);
+    }
+
+    const std::vector<double>& m = fluid_->m;
+    const int n = fluid_->size();
+
+    #pragma omp parallel for schedule(static)
+    for (int i = 0; i < n; ++i)
+    {
+        const double xx = m[i] + deltaT_*b[0][i];
+        const double xy = deltaT_*b[1][i];
+        const double xz = deltaT_*b[2][i];
+        const double yy = m[i] + deltaT_*b[3][i];
+        const double yz = deltaT_*b[4][i];
+        const double zz = m[i] + deltaT_*b[5][i];
+
+        const double cxx = yy*zz - yz*yz;
+        const double cxy = xz*yz - xy*zz;
+        const double cxz = xy*yz - xz*yy;
+        const double scale = 1/(xx*cxx + xy*cxy + xz*cxz);
+
+        b[0][i] = float(scale*cxx);
+        b[1][i] = float(scale*cxy);
+        b[2][i] = float(scale*cxz);
+        b[3][i] = float(scale*(xx*zz - xz*xz));
+        b[4][i] = float(scale*(xy*xz - xx*yz));
+        b[5][i] = float(scale*(xx*yy - xy*xy));
+    }
+}
+
+
+// * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
+
+void Foam::melt::velocitySystem::update
+(
+    const sphSystem& system,
+    const double deltaT,
+    const double tolerance,
+    const double coarseSpacing
+)
+{
+    fluid_ = &system.fluid;
+    deltaT_ = deltaT;
+    for (implicitOperator* o : operators_)
+    {
+        o->update(deltaT);
+    }
+    invertBlocks();
+
+    implicitParts parts;
+    single_ = tolerance > 10*floatScalarSMALL;
+    for (const implicitOperator* o : operators_)
+    {
+        single_ = o->describe(parts) && single_;
+    }
+    if (single_)
+    {
+        product_.build(system, parts);
+    }
+    useCoarse_ =
+        coarseSpacing > 0 && fluid_->size() > 0
+     && coarse_.build
+        (
+            system, parts, deltaT, coarseSpacing*system.spacing
+        );
+}
+
+
+bool Foam::melt::velocitySystem::simplify()
+{
+    // A contrast of viscosities beyond single precision, or beyond the factors
+    bool& given = single_ ? single_ : useCoarse_;
+    const bool any = given;
+    given = false;
+    return any;
+}
+
+
+void Foam::melt::velocitySystem::makeRigid(vectorArray& v) const
+{
+    if (solids_)
+    {
+        v.multiply(fluid_->m);
+        solids_->project(v);
+        v.divide(fluid_->m);
+    }
+}
+
+
+void Foam::melt::velocitySystem::setResidual
+(
+    const vectorArray& v,
+    vectorArray& r
+)
+{
+    const particles& f = *fluid_;
+    const int n = f.size();
+    r.resize(n);
+
+    addForces(v, 1, r);
+    #pragma omp parallel for simd schedule(static)
+    for (int i = 0; i < n; ++i)
+    {
+        r.x[i] = f.m[i]*(f.u[i] - v.x[i]) + deltaT_*r.x[i];
+        r.y[i] = f.m[i]*(f.v[i] - v.y[i]) + deltaT_*r.y[i];
+        r.z[i] = f.m[i]*(f.w[i] - v.z[i]) + deltaT_*r.z[i];
+    }
+    if (solids_)
+    {
+        solids_->project(r);
+    }
+}
+
+
+template<class Number>
+void Foam::melt::velocitySystem::apply
+(
+    const vectorArrayOf<Number>& p,
+    vectorArrayOf<Number>& Ap
+)
+{
+    constexpr bool isDouble = std::is_same_v<Number, double>;
+    const std::vector<double>& m = fluid_->m;
+    const int n = p.size();
+
+    const double k = single_ ? deltaT_ : -deltaT_;
+    if (single_)
+    {
+        product_.apply(p, Ap);
+    }
+    else if constexpr (isDouble)
+    {
+        addForces(p, 0, Ap);
+    }
+
+    #pragma omp parallel for simd schedule(static)
+    for (int i = 0; i < n; ++i)
+    {
+        Ap.x[i] = Number(m[i]*p.x[i] + k*Ap.x[i]);
+        Ap.y[i] = Number(m[i]*p.y[i] + k*Ap.y[i]);
+        Ap.z[i] = Number(m[i]*p.z[i] + k*Ap.z[i]);
+    }
+    if constexpr (isDouble)
+    {
+        if (solids_)
+        {
+            solids_->project(Ap);
+        }
+    }
+}
+
+
+template<class Number>
+void Foam::melt::velocitySystem::precondition
+(
+    const vectorArray& r,
+    vectorArrayOf<Number>& z
+)
+{
+    const std::vector<double>& m = fluid_->m;
+    const implicitOperator::blocks& b = inverse_;
+    const int n = r.size();
+
+    #pragma omp parallel for simd schedule(static)
+    for (int i = 0; i < n; ++i)
+    {
+        const double x = r.x[i], y = r.y[i], w = r.z[i];
+        z.x[i] = Number(b[0][i]*x + b[1][i]*y + b[2][i]*w);
+        z.y[i] = Number(b[1][i]*x + b[3][i]*y + b[4][i]*w);
+        z.z[i] = Number(b[2][i]*x + b[4][i]*y + b[5][i]*w);
+    }
+    // Of bodies their mass alone: r is that of a rigid motion already
+    for (int i = 0; solids_ && i < n; ++i)
+    {
+        if (solids_->solid(i))
+        {
+            z.x[i] = Number(r.x[i]/m[i]);
+            z.y[i] = Number(r.y[i]/m[i]);
+            z.z[i] = Number(r.z[i]/m[i]);
+        }
+    }
+    if (useCoarse_)
+    {
+        coarse_.addCorrection(r, z);
+        if constexpr (std::is_same_v<Number, double>)
+        {
+            makeRigid(z);
+        }
+    }
+}
+
+
+template void Foam::melt::velocitySystem::apply
+(
+    const vectorArrayOf<float>&, vectorArrayOf<float>&
+);
+
+template void Foam::melt::velocitySystem::apply
+(
+    const vectorArray&, vectorArray&
+);
+
+template void Foam::melt::velocitySystem::precondition
+(
+    const vectorArray&, vectorArrayOf<float>&
+);
+
+template void Foam::melt::velocitySystem::precondition
+(
+    const vectorArray&, vectorArray&
+);
+
+
+std::size_t Foam::melt::velocitySystem::bytes() const
+{
+    std::size_t n =
+        product_.bytes() + coarse_.bytes()
+      + 6*sizeof(float)*inverse_[0].capacity();
+    for (const implicitOperator* o : operators_)
+    {
+        n += o->bytes();
+    }
+    return n;
+}
+
+// ************************************************************************* //
