@@ -28,6 +28,13 @@ Foam::melt::implicitPressure::implicitPressure
 :
     rateTerm(system),
     dict_(dict),
+    densityError_
+    (
+        checkedEntry::getOrDefault
+        (
+            dict, "densityError", dimless, checkedEntry::positiveUpTo(1), 0.01
+        )
+    ),
     background_
     (
         checkedEntry::getOrDefault
@@ -58,11 +65,6 @@ Foam::melt::implicitPressure::implicitPressure
 
 Foam::scalar Foam::melt::implicitPressure::speedOfSound() const
 {
-    const scalar error = checkedEntry::getOrDefault
-    (
-        dict_, "densityError", dimless, checkedEntry::positiveUpTo(1), 0.01
-    );
-
     // Of |g| times height, and of the speed
     const particles& f = system_.fluid;
     const wallState& w = system_.walls;
@@ -92,7 +94,7 @@ Foam::scalar Foam::melt::implicitPressure::speedOfSound() const
             << " does not follow from densityError, accepted: a number > 0 [m/s]"
             << exit(FatalIOError);
     }
-    return std::sqrt(speed2/error);
+    return std::sqrt(speed2/densityError_);
 }
 
 
@@ -166,7 +168,7 @@ void Foam::melt::implicitPressure::limit(timeStepControl& control) const
     );
     if (!(rate <= 0))
     {
-        control.limit("density", 1/rate);
+        control.limit("density", std::sqrt(densityError_)/rate);
     }
 
     // Where the melt presses, how its particles lie is stiff too, and that is

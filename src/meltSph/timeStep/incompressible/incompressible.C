@@ -259,6 +259,12 @@ Foam::word Foam::melt::incompressible::kick(const scalar dt)
     // What has just become part of a solid moves with it now
     before_.assign(f.u, f.v, f.w);
     changeDensity(dt/2);
+    // What pressure has not resisted: melt that has just met
+    if (dt > 2*equations_.limits().deltaT("density"))
+    {
+        restoreState();
+        return "density limit";
+    }
     if (solids)
     {
         setContact(dt);

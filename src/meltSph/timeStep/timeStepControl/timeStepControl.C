@@ -46,7 +46,7 @@ Foam::melt::timeStepControl::timeStepControl(const dictionary& dict)
         );
     };
     insert("advective", 0.4);
-    insert("density", 0.05);
+    insert("density", 0.5);
     insert("pressure", 0.6);
     reset();
 }
@@ -56,6 +56,7 @@ void Foam::melt::timeStepControl::reset()
 {
     deltaT_ = maxDeltaT_;
     limit_ = "maxDeltaT";
+    limits_.clear();
 }
 
 
@@ -80,6 +81,7 @@ void Foam::melt::timeStepControl::limit(const word& name, const scalar scale)
             << exit(FatalIOError);
     }
     const scalar deltaT = coefficient.val()*scale;
+    limits_.set(name, deltaT);
 
     if (deltaT < deltaT_)
     {

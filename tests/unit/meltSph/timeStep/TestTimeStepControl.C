@@ -50,9 +50,11 @@ TEST(TimeStepControl, smallestLimitRules)
     limits.limit("viscous", 0.4);
     EXPECT_EQ(limits.ruling(), "viscous");
     EXPECT_DOUBLE_EQ(limits.deltaT(), 0.05);
+    EXPECT_DOUBLE_EQ(limits.deltaT("acoustic"), 0.1);
 
     limits.reset();
     EXPECT_EQ(limits.ruling(), "maxDeltaT");
+    EXPECT_GE(limits.deltaT("acoustic"), 1e10);
     limits.limit("force", 1);
     EXPECT_DOUBLE_EQ(limits.deltaT(), 0.5);
 }
