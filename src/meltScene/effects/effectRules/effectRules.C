@@ -145,6 +145,12 @@ verdict latentHeat(const meltScene& scene)
 }
 
 
+verdict particleCollision(const meltScene&)
+{
+    return {true, "keeps particles apart; the method has its distance", "-"};
+}
+
+
 verdict particleShifting(const meltScene&)
 {
     return
@@ -249,6 +255,7 @@ rule rules[] =
     {"heatConduction", nullptr, heatConduction},
     {"heatSources", nullptr, heatSources},
     {"latentHeat", "heatConduction", latentHeat},
+    {"particleCollision", nullptr, particleCollision},
     {"particleShifting", nullptr, particleShifting},
     {"phaseChange", "heatConduction", phaseChange},
     {"rigidSolids", nullptr, rigidSolids},

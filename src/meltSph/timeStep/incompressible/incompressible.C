@@ -308,8 +308,11 @@ Foam::word Foam::melt::incompressible::kick(const scalar dt)
     if (!why.empty())
     {
         restoreState();
+        return why;
     }
-    return why;
+
+    equations_.collide(dt);
+    return word();
 }
 
 

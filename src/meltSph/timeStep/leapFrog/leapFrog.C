@@ -127,6 +127,7 @@ void Foam::melt::leapFrog::advance(const scalar dt)
     equations_.advanceHeat(dt);
     equations_.evaluate();
     correct(dt);
+    equations_.collide(dt);
     system_.heatReceived += 0.5*dt*(heatBefore + system_.heatFromWalls);
 }
 

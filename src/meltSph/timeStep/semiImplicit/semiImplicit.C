@@ -62,6 +62,7 @@ bool Foam::melt::semiImplicit::step(const scalar dt)
     }
 
     equations_.setDensityRate();
+    equations_.collide(dt);
 
     double longest2 = 0;
     #pragma omp parallel for schedule(static) reduction(max:longest2)

@@ -60,6 +60,14 @@ Foam::melt::sphEquations::sphEquations
             << " effect particleShifting is off" << endl;
     }
 
+    if (effects("particleCollision") && dict.found("collision"))
+    {
+        collision_.reset
+        (
+            new particleCollision(dict.subDict("collision"), system_)
+        );
+    }
+
     for (rateTerm& term : terms_)
     {
         if (implicitOperator* force = term.implicitForce())
@@ -203,6 +211,16 @@ void Foam::melt::sphEquations::setDensityRate()
 }
 
 
+void Foam::melt::sphEquations::collide(const scalar deltaT)
+{
+    if (collision_.valid())
+    {
+        const effectTimes::part timing("particleCollision", "collision");
+        collision_->collide(deltaT);
+    }
+}
+
+
 void Foam::melt::sphEquations::divideTimes()
 {
     effectTimes::divide
@@ -231,6 +249,10 @@ void Foam::melt::sphEquations::report(Ostream& os) const
         term.report(os);
     }
     solver_.report(os);
+    if (collision_.valid())
+    {
+        collision_->report(os);
+    }
     if (solids_.valid())
     {
         solids_->report(os);

@@ -86,7 +86,13 @@ TEST(EffectSwitches, mayBeForced)
     EXPECT_EQ
     (
         active,
-        wordList({"artificialViscosity", "heatConduction", "rigidSolids"})
+        wordList
+        (
+            {
+                "artificialViscosity", "heatConduction", "particleCollision",
+                "rigidSolids"
+            }
+        )
     );
     EXPECT_TRUE(effects(files, "phaseChange on;")("phaseChange"));
 }
