@@ -22,6 +22,9 @@ namespace
 constexpr double inside = 0.85, atSurface = 0.8;
 
 
+using vector3 = std::array<double, 3>;
+
+
 class correctionLaw
 :
     public momentLaw
@@ -29,6 +32,30 @@ class correctionLaw
     int dimensions_;
     double lattice_, maxCondition_;
     symmetricArrays* A_;
+
+    //- sum V grad W over melt and walls, and over walls alone [1/m]
+    vector3 all_{}, wall_{};
+
+    static void addGradient(vector3& sum, const pairGeometry& p)
+    {
+        sum[0] += p.VF*p.dx;
+        sum[1] += p.VF*p.dy;
+        sum[2] += p.VF*p.dz;
+    }
+
+    //- Square of the cosine between the normals of surface and wall; 1 where
+    //  there is no wall
+    double alongWall() const
+    {
+        double product = 0, all2 = 0, wall2 = 0;
+        for (int a = 0; a < 3; ++a)
+        {
+            product += all_[a]*wall_[a];
+            all2 += all_[a]*all_[a];
+            wall2 += wall_[a]*wall_[a];
+        }
+        return all2*wall2 > 0 ? product*product/(all2*wall2) : 1;
+    }
 
 public:
 
@@ -47,9 +74,18 @@ public:
     {}
 
     template<class Kernel>
+    inline void add(const int, const pairGeometry& p, const Kernel&)
+    {
+        M_.add(p);
+        addGradient(all_, p);
+    }
+
+    template<class Kernel>
     inline void addWall(const int, const pairGeometry& p, const Kernel&)
     {
         M_.add(p);
+        addGradient(all_, p);
+        addGradient(wall_, p);
     }
 
     inline void finish(const int i)
@@ -57,7 +93,8 @@ public:
         const double mean = M_.trace()/(dimensions_*lattice_);
         std::array<double, 6> inverse{};
         double share =
-            std::clamp((inside - mean)/(inside - atSurface), 0.0, 1.0);
+            std::clamp((inside - mean)/(inside - atSurface), 0.0, 1.0)
+           *alongWall();
         if (share > 0 && !M_.invert(dimensions_, maxCondition_, inverse))
         {
             share = 0;
