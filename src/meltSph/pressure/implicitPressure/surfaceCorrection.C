@@ -31,7 +31,6 @@ class correctionLaw
 {
     int dimensions_;
     double lattice_, maxCondition_;
-    vector3 gravity_;
     symmetricArrays* A_;
 
     //- sum V grad W over melt and walls, and over walls alone [1/m]
@@ -44,26 +43,18 @@ class correctionLaw
         sum[2] += p.VF*p.dz;
     }
 
-    //- Square of the cosine between two vectors; 0 if one is none
-    static double cos2(const vector3& a, const vector3& b)
+    //- Square of the cosine between the normals of surface and wall; 1 where
+    //  there is no wall
+    double alongWall() const
     {
-        double product = 0, a2 = 0, b2 = 0;
-        for (int k = 0; k < 3; ++k)
+        double product = 0, all2 = 0, wall2 = 0;
+        for (int a = 0; a < 3; ++a)
         {
-            product += a[k]*b[k];
-            a2 += a[k]*a[k];
-            b2 += b[k]*b[k];
+            product += all_[a]*wall_[a];
+            all2 += all_[a]*all_[a];
+            wall2 += wall_[a]*wall_[a];
         }
-        return a2*b2 > 0 ? product*product/(a2*b2) : 0;
-    }
-
-    //- 1 where a level surface meets a wall, 0 where there is none
-    double levelAtWall() const
-    {
-        return
-            wall_ == vector3{}
-          ? 0
-          : cos2(all_, gravity_)*(1 - cos2(all_, wall_));
+        return all2*wall2 > 0 ? product*product/(all2*wall2) : 1;
     }
 
 public:
@@ -73,14 +64,12 @@ public:
         const int dimensions,
         const double lattice,
         const double maxCondition,
-        const vector3& gravity,
         symmetricArrays& A
     )
     :
         dimensions_(dimensions),
         lattice_(lattice),
         maxCondition_(maxCondition),
-        gravity_(gravity),
         A_(&A)
     {}
 
@@ -105,7 +94,7 @@ public:
         std::array<double, 6> inverse{};
         double share =
             std::clamp((inside - mean)/(inside - atSurface), 0.0, 1.0)
-           *(1 - levelAtWall());
+           *alongWall();
         if (share > 0 && !M_.invert(dimensions_, maxCondition_, inverse))
         {
             share = 0;
@@ -152,7 +141,7 @@ void Foam::melt::surfaceCorrection
         correctionLaw
         (
             kernel.dimensions(), latticeMoment(kernel, system.spacing),
-            maxCondition, system.g, A
+            maxCondition, A
         )
     );
 }
