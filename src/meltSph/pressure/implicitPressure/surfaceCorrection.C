@@ -31,10 +31,16 @@ class correctionLaw
 {
     int dimensions_;
     double lattice_, maxCondition_;
+    vector3 g_;
     symmetricArrays* A_;
 
     //- sum V grad W over melt and walls, and over walls alone [1/m]
     vector3 all_{}, wall_{};
+
+    static double dot(const vector3& a, const vector3& b)
+    {
+        return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
+    }
 
     static void addGradient(vector3& sum, const pairGeometry& p)
     {
@@ -43,18 +49,18 @@ class correctionLaw
         sum[2] += p.VF*p.dz;
     }
 
-    //- Square of the cosine between the normals of surface and wall; 1 where
-    //  there is no wall
-    double alongWall() const
+    //- The factor of surfaces at side walls
+    double awayFromSides() const
     {
-        double product = 0, all2 = 0, wall2 = 0;
-        for (int a = 0; a < 3; ++a)
+        const double all2 = dot(all_, all_), wall2 = dot(wall_, wall_);
+        const double g2 = dot(g_, g_);
+        if (!(all2*wall2*g2 > 0))
         {
-            product += all_[a]*wall_[a];
-            all2 += all_[a]*all_[a];
-            wall2 += wall_[a]*wall_[a];
+            return 1;
         }
-        return all2*wall2 > 0 ? product*product/(all2*wall2) : 1;
+        const double across2 = 1 - sqr(dot(all_, wall_))/(all2*wall2);
+        const double upright2 = 1 - sqr(dot(g_, wall_))/(g2*wall2);
+        return 1 - across2*upright2;
     }
 
 public:
@@ -64,12 +70,14 @@ public:
         const int dimensions,
         const double lattice,
         const double maxCondition,
+        const vector3& g,
         symmetricArrays& A
     )
     :
         dimensions_(dimensions),
         lattice_(lattice),
         maxCondition_(maxCondition),
+        g_(g),
         A_(&A)
     {}
 
@@ -94,7 +102,7 @@ public:
         std::array<double, 6> inverse{};
         double share =
             std::clamp((inside - mean)/(inside - atSurface), 0.0, 1.0)
-           *alongWall();
+           *awayFromSides();
         if (share > 0 && !M_.invert(dimensions_, maxCondition_, inverse))
         {
             share = 0;
@@ -141,7 +149,7 @@ void Foam::melt::surfaceCorrection
         correctionLaw
         (
             kernel.dimensions(), latticeMoment(kernel, system.spacing),
-            maxCondition, A
+            maxCondition, system.g, A
         )
     );
 }
