@@ -28,7 +28,8 @@ Foam::melt::incompressible::incompressible
     sphSystem& system
 )
 :
-    sphScheme(dict, effects, system)
+    sphScheme(dict, effects, system),
+    kick_(system_, equations_)
 {
     if (!equations_.implicit() || system_.pairs.pressure)
     {
@@ -87,9 +88,7 @@ void Foam::melt::incompressible::keepState()
 void Foam::melt::incompressible::restoreState()
 {
     particles& f = system_.fluid;
-    f.u = before_.x;
-    f.v = before_.y;
-    f.w = before_.z;
+    kick_.takeBack();
     f.ax = f.axOld;
     f.ay = f.ayOld;
     f.az = f.azOld;
@@ -111,153 +110,12 @@ void Foam::melt::incompressible::changeDensity(const scalar dt)
 }
 
 
-void Foam::melt::incompressible::setContact(const scalar dt)
-{
-    particles& f = system_.fluid;
-
-    // As if forces were those of the step before
-    contact_.assign(f.axOld, f.ayOld, f.azOld);
-    contact_.scaleAndAdd(dt, before_);
-    f.u = contact_.x;
-    f.v = contact_.y;
-    f.w = contact_.z;
-    equations_.collideSolids(dt);
-
-    const double theta = system_.implicitness;
-    const int n = f.size();
-    #pragma omp parallel for simd schedule(static)
-    for (int i = 0; i < n; ++i)
-    {
-        contact_.x[i] = theta*(f.u[i] - contact_.x[i]);
-        contact_.y[i] = theta*(f.v[i] - contact_.y[i]);
-        contact_.z[i] = theta*(f.w[i] - contact_.z[i]);
-    }
-}
-
-
-void Foam::melt::incompressible::setPredicted(const scalar share)
-{
-    particles& f = system_.fluid;
-    const int n = f.size();
-    const bool solids = equations_.solids();
-
-    #pragma omp parallel for simd schedule(static)
-    for (int i = 0; i < n; ++i)
-    {
-        f.u[i] = before_.x[i] + share*f.ax[i] + (solids ? contact_.x[i] : 0);
-        f.v[i] = before_.y[i] + share*f.ay[i] + (solids ? contact_.y[i] : 0);
-        f.w[i] = before_.z[i] + share*f.az[i] + (solids ? contact_.z[i] : 0);
-    }
-}
-
-
-void Foam::melt::incompressible::setVelocities(const scalar dt)
-{
-    particles& f = system_.fluid;
-    const int n = f.size();
-    const bool solids = equations_.solids();
-    const double share = system_.implicitness*dt;
-
-    #pragma omp parallel for simd schedule(static)
-    for (int i = 0; i < n; ++i)
-    {
-        f.ax[i] =
-            (f.u[i] - before_.x[i] - (solids ? contact_.x[i] : 0))/share;
-        f.ay[i] =
-            (f.v[i] - before_.y[i] - (solids ? contact_.y[i] : 0))/share;
-        f.az[i] =
-            (f.w[i] - before_.z[i] - (solids ? contact_.z[i] : 0))/share;
-        f.u[i] = before_.x[i] + dt*f.ax[i];
-        f.v[i] = before_.y[i] + dt*f.ay[i];
-        f.w[i] = before_.z[i] + dt*f.az[i];
-    }
-    equations_.collideSolids(dt);
-}
-
-
-bool Foam::melt::incompressible::endWithSolids(const scalar dt)
-{
-    particles& f = system_.fluid;
-    const int n = f.size();
-    const double theta = system_.implicitness;
-    const double share = theta*dt;
-
-    vectorArray solved, predicted, mean;
-    solved.assign(f.u, f.v, f.w);
-    setPredicted(share);
-    predicted.assign(f.u, f.v, f.w);
-    f.u = solved.x;
-    f.v = solved.y;
-    f.w = solved.z;
-
-    setVelocities(dt);
-    mean.assign(f.u, f.v, f.w);
-    mean.add(-1, before_);
-    mean.scaleAndAdd(theta, before_);
-    if (!equations_.holdSolids(solved, mean, dt/theta))
-    {
-        return true;
-    }
-
-    // Velocities before the implicit forces, or what these make of them
-    const auto addForces = [&](const double sources, const bool held)
-    {
-        vectorArray force(n);
-        equations_.addImplicitForces(mean, sources, force);
-        for (int i = 0; i < n; ++i)
-        {
-            if (equations_.held(i) == held)
-            {
-                f.u[i] = predicted.x[i] + share*force.x[i]/f.m[i];
-                f.v[i] = predicted.y[i] + share*force.y[i]/f.m[i];
-                f.w[i] = predicted.z[i] + share*force.z[i]/f.m[i];
-            }
-        }
-    };
-
-    // To the others those that are held are walls that move. The solver has
-    // them at rest
-    for (int i = 0; i < n; ++i)
-    {
-        if (!equations_.held(i))
-        {
-            mean.x[i] = mean.y[i] = mean.z[i] = 0;
-        }
-    }
-    addForces(0, false);
-    equations_.guess() = solved;
-    if (!equations_.implicitUpdate(share))
-    {
-        equations_.releaseSolids();
-        return false;
-    }
-
-    // They take up the forces of that liquid, and contact anew
-    for (int i = 0; i < n; ++i)
-    {
-        if (!equations_.held(i))
-        {
-            mean.x[i] = f.u[i];
-            mean.y[i] = f.v[i];
-            mean.z[i] = f.w[i];
-        }
-    }
-    addForces(1, true);
-    equations_.releaseSolids();
-    setVelocities(dt);
-    return true;
-}
-
-
 Foam::word Foam::melt::incompressible::kick(const scalar dt)
 {
-    particles& f = system_.fluid;
-    const bool solids = equations_.solids();
-
     keepState();
     equations_.evaluate();
     // What has just become part of a solid moves with it now
-    before_.assign(f.u, f.v, f.w);
+    kick_.begin();
     changeDensity(dt/2);
     // What pressure has not resisted: melt that has just met
     if (dt > 2*equations_.limits().deltaT("density"))
@@ -265,40 +123,7 @@ Foam::word Foam::melt::incompressible::kick(const scalar dt)
         restoreState();
         return "density limit";
     }
-    if (solids)
-    {
-        setContact(dt);
-    }
-
-    // Solved for the mean velocity, over the implicit share of the step. The
-    // first guess goes on as the step before did
-    const double share = system_.implicitness*dt;
-    vectorArray& guess = equations_.guess();
-    guess.assign(f.axOld, f.ayOld, f.azOld);
-    guess.scaleAndAdd(share, before_);
-    if (solids)
-    {
-        guess.add(1, contact_);
-    }
-    for (label nSolved = 1; ; ++nSolved)
-    {
-        setPredicted(share);
-        if (!equations_.implicitUpdate(share))
-        {
-            restoreState();
-            return "no convergence";
-        }
-        if (equations_.couple(nSolved))
-        {
-            break;
-        }
-    }
-
-    if (!solids)
-    {
-        setVelocities(dt);
-    }
-    else if (!endWithSolids(dt))
+    if (!kick_.solve(dt))
     {
         restoreState();
         return "no convergence";
