@@ -139,15 +139,10 @@ bool Foam::melt::velocitySolver::solve
     {
         return false;
     }
-    // What remains is given to each particle: so the impulse is just
-    // dt (b - K v), forces that keep both momenta whatever the tolerance
-    #pragma omp parallel for simd schedule(static)
-    for (int i = 0; i < n; ++i)
-    {
-        f.u[i] = v_.x[i] + r_.x[i]/f.m[i];
-        f.v[i] = v_.y[i] + r_.y[i]/f.m[i];
-        f.w[i] = v_.z[i] + r_.z[i]/f.m[i];
-    }
+    equations_.addRemainder(r_, v_);
+    f.u = v_.x;
+    f.v = v_.y;
+    f.w = v_.z;
     return true;
 }
 

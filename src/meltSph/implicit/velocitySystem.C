@@ -5,7 +5,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "velocitySystem.H"
+#include "remainingMomenta.H"
 #include "sphSystem.H"
+
+#include <algorithm>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -29,15 +32,15 @@ void Foam::melt::velocitySystem::invertBlocks()
     implicitOperator::blocks& b = inverse_;
     for (std::vector<float>& component : b)
     {
-        component.assign(fluid_->size(), 0);
+        component.assign(system_->fluid.size(), 0);
     }
     for (const implicitOperator* o : operators_)
     {
         o->addDiagonal(b);
     }
 
-    const std::vector<double>& m = fluid_->m;
-    const int n = fluid_->size();
+    const std::vector<double>& m = system_->fluid.m;
+    const int n = system_->fluid.size();
 
     #pragma omp parallel for schedule(static)
     for (int i = 0; i < n; ++i)
@@ -74,7 +77,7 @@ void Foam::melt::velocitySystem::update
     const double coarseSpacing
 )
 {
-    fluid_ = &system.fluid;
+    system_ = &system;
     deltaT_ = deltaT;
     for (implicitOperator* o : operators_)
     {
@@ -93,7 +96,7 @@ void Foam::melt::velocitySystem::update
         product_.build(system, parts);
     }
     useCoarse_ =
-        coarseSpacing > 0 && fluid_->size() > 0
+        coarseSpacing > 0 && system_->fluid.size() > 0
      && coarse_.build
         (
             system, parts, deltaT, coarseSpacing*system.spacing
@@ -115,9 +118,9 @@ void Foam::melt::velocitySystem::makeRigid(vectorArray& v) const
 {
     if (solids_)
     {
-        v.multiply(fluid_->m);
+        v.multiply(system_->fluid.m);
         solids_->project(v);
-        v.divide(fluid_->m);
+        v.divide(system_->fluid.m);
     }
 }
 
@@ -128,7 +131,7 @@ void Foam::melt::velocitySystem::setResidual
     vectorArray& r
 )
 {
-    const particles& f = *fluid_;
+    const particles& f = system_->fluid;
     const int n = f.size();
     r.resize(n);
 
@@ -155,7 +158,7 @@ void Foam::melt::velocitySystem::apply
 )
 {
     constexpr bool isDouble = std::is_same_v<Number, double>;
-    const std::vector<double>& m = fluid_->m;
+    const std::vector<double>& m = system_->fluid.m;
     const int n = p.size();
 
     const double k = single_ ? deltaT_ : -deltaT_;
@@ -192,7 +195,7 @@ void Foam::melt::velocitySystem::precondition
     vectorArrayOf<Number>& z
 )
 {
-    const std::vector<double>& m = fluid_->m;
+    const std::vector<double>& m = system_->fluid.m;
     const implicitOperator::blocks& b = inverse_;
     const int n = r.size();
 
@@ -222,6 +225,53 @@ void Foam::melt::velocitySystem::precondition
             makeRigid(z);
         }
     }
+}
+
+
+void Foam::melt::velocitySystem::addRemainder
+(
+    vectorArray& r,
+    vectorArray& v
+) const
+{
+    const particles& f = system_->fluid;
+    const implicitOperator::blocks& b = inverse_;
+    const int n = r.size();
+
+    #pragma omp parallel for schedule(static)
+    for (int i = 0; i < n; ++i)
+    {
+        double x = r.x[i]/f.m[i], y = r.y[i]/f.m[i], z = r.z[i]/f.m[i];
+        // Bodies stay rigid
+        if (!solids_ || !solids_->solid(i))
+        {
+            x = b[0][i]*r.x[i] + b[1][i]*r.y[i] + b[2][i]*r.z[i];
+            y = b[1][i]*r.x[i] + b[3][i]*r.y[i] + b[4][i]*r.z[i];
+            z = b[2][i]*r.x[i] + b[4][i]*r.y[i] + b[5][i]*r.z[i];
+        }
+        v.x[i] += x;
+        v.y[i] += y;
+        v.z[i] += z;
+        r.x[i] -= f.m[i]*x;
+        r.y[i] -= f.m[i]*y;
+        r.z[i] -= f.m[i]*z;
+    }
+    // Walls take up what there is else
+    if (!system_->near.besideWalls().empty())
+    {
+        return;
+    }
+
+    std::vector<float> share(n);
+    for (int i = 0; i < n; ++i)
+    {
+        if (!solids_ || !solids_->solid(i))
+        {
+            const double free = f.m[i]*(b[0][i] + b[3][i] + b[5][i])/3;
+            share[i] = float(std::clamp(1 - free, 0.0, 1.0));
+        }
+    }
+    addRemainingMomenta(f, share, r, !system_->near.box().any(), v);
 }
 
 
