@@ -49,6 +49,8 @@ void Foam::melt::pressureOperator::setWallGradient()
     const double* const solid = system_.near.solid();
     wallGradient_.reset(system_.near);
     wallDivergence_.reset(system_.near);
+    gapGradient_.reset(system_.near);
+    gapDivergence_.reset(system_.near);
     wallWeight_.reset(system_.near);
     support_.reset(system_.near);
 
@@ -63,8 +65,8 @@ void Foam::melt::pressureOperator::setWallGradient()
         for (int k = 0; k < int(beside.size()); ++k)
         {
             const int i = beside[k];
-            // A wall does not pull; solids it meets by contact
-            if (p0_[i] < 0 || (solid && solid[i] > 0))
+            // Solids it meets by contact
+            if (solid && solid[i] > 0)
             {
                 continue;
             }
@@ -101,12 +103,20 @@ void Foam::melt::pressureOperator::setWallGradient()
                 weight -=
                     0.5*std::max(-p0_[i], -f.rho[i]*(g & x))*gradient;
             }
-            support_.ofWallIndex(k) = wholeSupport(behind) - 1;
             const vector across(normals.project(b));
-            wallGradient_.ofWallIndex(k) = across;
             // Walls that move with the melt do not strain it
-            wallDivergence_.ofWallIndex(k) =
+            const double moved =
                 divergence + (motion & (across - b))/max(behind, VSMALL);
+            // A wall does not pull
+            if (p0_[i] < 0)
+            {
+                gapGradient_.ofWallIndex(k) = across;
+                gapDivergence_.ofWallIndex(k) = moved;
+                continue;
+            }
+            support_.ofWallIndex(k) = wholeSupport(behind) - 1;
+            wallGradient_.ofWallIndex(k) = across;
+            wallDivergence_.ofWallIndex(k) = moved;
             wallWeight_.ofWallIndex(k) = f.V[i]*weight;
         }
     });
@@ -191,6 +201,11 @@ void Foam::melt::pressureOperator::update(const double deltaT)
     }
     for (const int i : system_.near.besideWalls())
     {
+        if (theta < 1 && stiffness_[i] > 0)
+        {
+            // Of what the mean velocity does not compress
+            p0_[i] -= (1 - theta)*stiffness_[i]*closing_[i];
+        }
         stiffness_[i] *= 1 + support_[i];
     }
 }
@@ -263,14 +278,28 @@ bool Foam::melt::pressureOperator::describe(implicitParts& p) const
 }
 
 
-void Foam::melt::pressureOperator::divergence(std::vector<double>& div) const
+void Foam::melt::pressureOperator::divergence(std::vector<double>& div)
 {
     const particles& f = system_.fluid;
+    const auto velocity = [&](const int i)
+    {
+        return vector(f.u[i], f.v[i], f.w[i]);
+    };
+
+    const std::vector<int>& beside = system_.near.besideWalls();
+    closing_.reset(system_.near);
+    for (int k = 0; k < int(beside.size()); ++k)
+    {
+        const int i = beside[k];
+        closing_.ofWallIndex(k) =
+            std::min(gapDivergence_[i] - (velocity(i) & gapGradient_[i]), 0.0);
+    }
+
     const auto set = [&](const int i, const double divergence)
     {
         div[i] =
-            (1 + support_[i])
-           *withWalls(i, divergence, vector(f.u[i], f.v[i], f.w[i]), 1);
+            (1 + support_[i])*withWalls(i, divergence, velocity(i), 1)
+          + closing_[i];
     };
 
     forcePass
@@ -285,6 +314,7 @@ std::size_t Foam::melt::pressureOperator::bytes() const
 {
     return
         wallGradient_.bytes() + wallDivergence_.bytes() + wallWeight_.bytes()
+      + gapGradient_.bytes() + gapDivergence_.bytes() + closing_.bytes()
       + support_.bytes() + solidWeight_.bytes()
       + sizeof(double)
        *(

@@ -130,6 +130,41 @@ TEST(PressureAtWalls, solidCarriesTheWeight)
 }
 
 
+// A wall does not pull, but melt under tension that comes nearer to it is
+// compressed as melt under pressure is
+TEST(PressureAtWalls, comesNearUnderTension)
+{
+    particleCloud cloud(densityLump(8));
+    cloud.addWall(1, false);
+    cloud.build();
+    const int n = cloud.size();
+
+    // Of a lump that moves across the wall as one
+    const auto lowestDivergence = [&](const double share, const double speed)
+    {
+        pressureCase test(cloud, 0);
+        particles& f = test.scheme.system.fluid;
+        f.rho.assign(n, share*test.scheme.system.thermo.rho());
+        f.u = f.w = std::vector<double>(n, 0);
+        f.v.assign(n, speed);
+        test.pressure.update(0);
+        std::vector<double> divergence(n);
+        test.pressure.divergence(divergence);
+        const int lowest = int
+        (
+            std::min_element(f.y.begin(), f.y.end()) - f.y.begin()
+        );
+        return divergence[lowest]/test.support(lowest);
+    };
+
+    const double pressed = lowestDivergence(1.01, -1);
+    EXPECT_LT(pressed, -0.1);
+    EXPECT_NEAR(lowestDivergence(0.99, -1), pressed, 1e-9*std::abs(pressed));
+    EXPECT_NEAR(lowestDivergence(1.01, 1), -pressed, 1e-9*std::abs(pressed));
+    EXPECT_NEAR(lowestDivergence(0.99, 1), 0, 1e-9*std::abs(pressed));
+}
+
+
 // Melt slides along walls as if their particles were a smooth layer
 TEST(PressureAtWalls, slidingIsNoStrain)
 {

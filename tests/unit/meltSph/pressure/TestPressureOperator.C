@@ -44,7 +44,12 @@ TEST(PressureOperator, workIsPressureTimesDivergence)
     pressureCase test(cloud, 1e-3);
     particles& f = test.scheme.system.fluid;
 
-    const vectorArray v(randomVelocity(cloud));
+    // What comes nearer to walls under tension is compressed without a force
+    vectorArray v(randomVelocity(cloud));
+    for (double& across : v.y)
+    {
+        across = std::abs(across);
+    }
     f.u = v.x;
     f.v = v.y;
     f.w = v.z;
