@@ -65,9 +65,10 @@ Foam::melt::iterationResult Foam::melt::velocitySolver::iterate
         ) + VSMALL;
     };
 
-    // Round-off of the velocities, in the norm of the kinetic energy
+    // Round-off of the velocities, in the norm of the kinetic energy, or less
+    // where so much is asked for
     const double negligible =
-        sqr(1e3*SMALL)
+        sqr(std::min(1e3*SMALL, 0.01*tolerance_))
        *blockSum
         (
             n,

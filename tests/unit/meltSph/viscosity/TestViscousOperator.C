@@ -379,6 +379,51 @@ TEST_P(ViscousOperator, looseToleranceDoesNotShakeStiffMelt)
     strain.add(-1, v);
     // Each particle's share of the residual, over its mass, would be 1e-3
     EXPECT_LT(norm(strain), 1e-4*std::sqrt(f.size()));
+
+TEST_P(ViscousOperator, solvesSmallChangesOfFastMeltToItsTolerance)
+{
+    // The tolerance is that of changes, far below the round-off that a solver of
+    // a coarser one takes of the speed, 1e-12
+    particleCloud cloud = lump(17);
+    const vectorArray start(randomVelocity(cloud));
+    const scalar speed = 1, change = 1e-3, tolerance = 1e-13;
+
+    const auto solve = [&](const scalar frame)
+    {
+        operatorCase test(cloud, GetParam());
+        sphSystem& s = test.scheme.system;
+        particles& f = s.fluid;
+        for (int i = 0; i < f.size(); ++i)
+        {
+            f.u[i] = frame + change*start.x[i];
+            f.v[i] = change*start.y[i];
+            f.w[i] = change*start.z[i];
+        }
+        velocitySolver solver
+        (
+            dictionary
+            (
+                IStringStream
+                (
+                    "tolerance " + name(tolerance) + "; maxIterations 3000;"
+                )()
+            )
+        );
+        solver.add(*test.viscous);
+        solver.guess().assign(f.u, f.v, f.w);
+        EXPECT_TRUE(solver.solve(s, 1e-3));
+        vectorArray v;
+        v.assign(f.u, f.v, f.w);
+        for (double& u : v.x)
+        {
+            u -= frame;
+        }
+        return v;
+    };
+
+    vectorArray difference(solve(speed));
+    difference.add(-1, solve(0));
+    EXPECT_LT(norm(difference)/std::sqrt(difference.size()), 3e-14);
 }
 
 } // End namespace unitTest
