@@ -379,6 +379,8 @@ TEST_P(ViscousOperator, looseToleranceDoesNotShakeStiffMelt)
     strain.add(-1, v);
     // Each particle's share of the residual, over its mass, would be 1e-3
     EXPECT_LT(norm(strain), 1e-4*std::sqrt(f.size()));
+}
+
 
 TEST_P(ViscousOperator, solvesSmallChangesOfFastMeltToItsTolerance)
 {
