@@ -57,6 +57,7 @@ void Foam::melt::sphMethod::readSums()
     sums_.readIfPresent("heatIn", heatIn_);
     sums_.readIfPresent("heatOut", heatOut_);
     sums_.readIfPresent("heatFromWalls", system_.heatFromWalls);
+    sums_.readIfPresent("stepBefore", system_.stepBefore);
     sums_.readIfPresent("initialPotentialEnergy", initialPotentialEnergy_);
     sums_.readIfPresent("escapedMass", escapedMass_);
     sums_.readIfPresent("initialCentre", initialCentre_);
@@ -78,6 +79,7 @@ void Foam::melt::sphMethod::writeSums()
     sums_.set("heatIn", heatIn_);
     sums_.set("heatOut", heatOut_);
     sums_.set("heatFromWalls", system_.heatFromWalls);
+    sums_.set("stepBefore", system_.stepBefore);
     sums_.set("initialPotentialEnergy", initialPotentialEnergy_);
     sums_.set("escapedMass", escapedMass_);
     sums_.set("initialCentre", initialCentre_);

@@ -29,6 +29,62 @@ void Foam::melt::implicitKick::setContact(const scalar dt)
         contact_.y[i] = theta*(f.v[i] - contact_.y[i]);
         contact_.z[i] = theta*(f.w[i] - contact_.z[i]);
     }
+    f.u = before_.x;
+    f.v = before_.y;
+    f.w = before_.z;
+}
+
+
+Foam::vector Foam::melt::implicitKick::lead(const int i) const
+{
+    const particles& f = system_.fluid;
+    vector lead(f.axOld[i], f.ayOld[i], f.azOld[i]);
+    lead *= lead_*rhoBefore_[i]/f.rho[i];
+    if (contact_.size())
+    {
+        lead +=
+            contactLead_*vector(contact_.x[i], contact_.y[i], contact_.z[i]);
+    }
+    return lead;
+}
+
+
+Foam::vector Foam::melt::implicitKick::unforced(const int i) const
+{
+    vector v(before_.x[i], before_.y[i], before_.z[i]);
+    if (contact_.size())
+    {
+        v += vector(contact_.x[i], contact_.y[i], contact_.z[i]);
+    }
+    return v - lead(i);
+}
+
+
+void Foam::melt::implicitKick::setLead(const scalar dt)
+{
+    particles& f = system_.fluid;
+    const int n = f.size();
+    const double theta = system_.implicitness;
+
+    // As long as no velocity has a weight below zero
+    lead_ = std::min((theta - 0.5)*dt, (1 - theta)*system_.stepBefore);
+    contactLead_ = lead_/(theta*dt);
+    if (lead_ == 0)
+    {
+        return;
+    }
+
+    // Pressure is that of the velocities at the end: what is solved for, plus
+    // the lead, less the share of those at the start
+    #pragma omp parallel for schedule(static)
+    for (int i = 0; i < n; ++i)
+    {
+        const vector ahead(lead(i)/(1 - theta));
+        f.u[i] -= ahead.x();
+        f.v[i] -= ahead.y();
+        f.w[i] -= ahead.z();
+    }
+    equations_.setDensityRate();
 }
 
 
@@ -36,14 +92,14 @@ void Foam::melt::implicitKick::setPredicted(const scalar share)
 {
     particles& f = system_.fluid;
     const int n = f.size();
-    const bool solids = equations_.solids();
 
-    #pragma omp parallel for simd schedule(static)
+    #pragma omp parallel for schedule(static)
     for (int i = 0; i < n; ++i)
     {
-        f.u[i] = before_.x[i] + share*f.ax[i] + (solids ? contact_.x[i] : 0);
-        f.v[i] = before_.y[i] + share*f.ay[i] + (solids ? contact_.y[i] : 0);
-        f.w[i] = before_.z[i] + share*f.az[i] + (solids ? contact_.z[i] : 0);
+        const vector v(unforced(i));
+        f.u[i] = v.x() + share*f.ax[i];
+        f.v[i] = v.y() + share*f.ay[i];
+        f.w[i] = v.z() + share*f.az[i];
     }
 }
 
@@ -52,18 +108,15 @@ void Foam::melt::implicitKick::setVelocities(const scalar dt)
 {
     particles& f = system_.fluid;
     const int n = f.size();
-    const bool solids = equations_.solids();
     const double share = system_.implicitness*dt;
 
-    #pragma omp parallel for simd schedule(static)
+    #pragma omp parallel for schedule(static)
     for (int i = 0; i < n; ++i)
     {
-        f.ax[i] =
-            (f.u[i] - before_.x[i] - (solids ? contact_.x[i] : 0))/share;
-        f.ay[i] =
-            (f.v[i] - before_.y[i] - (solids ? contact_.y[i] : 0))/share;
-        f.az[i] =
-            (f.w[i] - before_.z[i] - (solids ? contact_.z[i] : 0))/share;
+        const vector v(unforced(i));
+        f.ax[i] = (f.u[i] - v.x())/share;
+        f.ay[i] = (f.v[i] - v.y())/share;
+        f.az[i] = (f.w[i] - v.z())/share;
         f.u[i] = before_.x[i] + dt*f.ax[i];
         f.v[i] = before_.y[i] + dt*f.ay[i];
         f.w[i] = before_.z[i] + dt*f.az[i];
@@ -91,6 +144,13 @@ bool Foam::melt::implicitKick::endWithSolids(const scalar dt)
     mean.assign(f.u, f.v, f.w);
     mean.add(-1, before_);
     mean.scaleAndAdd(theta, before_);
+    for (int i = 0; i < n; ++i)
+    {
+        const vector ahead(lead(i));
+        mean.x[i] -= ahead.x();
+        mean.y[i] -= ahead.y();
+        mean.z[i] -= ahead.z();
+    }
     if (!equations_.holdSolids(solved, mean, dt/theta))
     {
         return true;
@@ -152,6 +212,7 @@ void Foam::melt::implicitKick::begin()
 {
     const particles& f = system_.fluid;
     before_.assign(f.u, f.v, f.w);
+    rhoBefore_ = f.rho;
 }
 
 
@@ -161,27 +222,33 @@ void Foam::melt::implicitKick::takeBack()
     f.u = before_.x;
     f.v = before_.y;
     f.w = before_.z;
+    f.rho = rhoBefore_;
 }
 
 
 bool Foam::melt::implicitKick::solve(const scalar dt)
 {
     const particles& f = system_.fluid;
+    const int n = f.size();
     const bool solids = equations_.solids();
     if (solids)
     {
         setContact(dt);
     }
+    setLead(dt);
 
-    // Solved for the mean velocity, over the implicit share of the step. The
-    // first guess goes on as the step before did
+    // Solved for the mean velocity less its lead, over the implicit share of the
+    // step. The first guess goes on as the step before did
     const double share = system_.implicitness*dt;
     vectorArray& guess = equations_.guess();
-    guess.assign(f.axOld, f.ayOld, f.azOld);
-    guess.scaleAndAdd(share, before_);
-    if (solids)
+    guess.resize(n);
+    #pragma omp parallel for schedule(static)
+    for (int i = 0; i < n; ++i)
     {
-        guess.add(1, contact_);
+        const vector v(unforced(i));
+        guess.x[i] = v.x() + share*f.axOld[i];
+        guess.y[i] = v.y() + share*f.ayOld[i];
+        guess.z[i] = v.z() + share*f.azOld[i];
     }
     for (label nSolved = 1; ; ++nSolved)
     {

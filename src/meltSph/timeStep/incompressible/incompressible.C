@@ -39,7 +39,7 @@ Foam::melt::incompressible::incompressible
             << " implicitViscosity; ... }"
             << exit(FatalIOError);
     }
-    system_.implicitness = checkedEntry::getOrDefault
+    implicitness_ = checkedEntry::getOrDefault
     (
         dict, "implicitness", dimless, scalarMinMax(0.5, 1), 0.6
     );
@@ -81,7 +81,6 @@ void Foam::melt::incompressible::keepState()
     f.axOld = f.ax;
     f.ayOld = f.ay;
     f.azOld = f.az;
-    rhoBefore_ = f.rho;
 }
 
 
@@ -92,7 +91,6 @@ void Foam::melt::incompressible::restoreState()
     f.ax = f.axOld;
     f.ay = f.ayOld;
     f.az = f.azOld;
-    f.rho = rhoBefore_;
 }
 
 
@@ -123,6 +121,9 @@ Foam::word Foam::melt::incompressible::kick(const scalar dt)
         restoreState();
         return "density limit";
     }
+    // Without a step before, the lead is not known
+    const bool first = system_.stepBefore == 0 && implicitness_ < 1;
+    system_.implicitness = first ? 0.5 : implicitness_;
     if (!kick_.solve(dt))
     {
         restoreState();
@@ -232,6 +233,7 @@ Foam::word Foam::melt::incompressible::step(const scalar dt)
         drift(-dt/2);
         return why;
     }
+    system_.stepBefore = dt;
     heat(dt);
     drift(dt/2);
     shift(dt);

@@ -149,8 +149,9 @@ TEST(PeriodicFlow, keepsMomentumAndGainsNoEnergy)
 }
 
 
-// A wave of shear on the lattice: one backward Euler step divides it by
-// 1 + dt nu k^2, to second order in the spacing over the wave's length
+// A wave of shear on the lattice: the first step, which is that of the midpoint
+// rule, divides it by (1 + dt nu k^2/2)/(1 - dt nu k^2/2), to second order in the
+// spacing over the wave's length
 TEST(PeriodicFlow, shearWaveDecays)
 {
     const auto error = [](const int n)
@@ -167,13 +168,70 @@ TEST(PeriodicFlow, shearWaveDecays)
         schemeCase scheme(cloud, numerics("1e-9", "0"));
         const double before = std::sqrt(energy(scheme.system.fluid));
         scheme.run(dt, 1);
-        const double rate =
-            (before/std::sqrt(energy(scheme.system.fluid)) - 1)/dt;
-        return std::abs(rate/(nu*k*k) - 1);
+        const double ratio = before/std::sqrt(energy(scheme.system.fluid));
+        return std::abs(2*(ratio - 1)/(ratio + 1)/dt/(nu*k*k) - 1);
     };
 
     EXPECT_LT(error(24), 0.06);
     EXPECT_NEAR(std::log2(error(24)/error(48)), 2, 0.1);
+}
+
+
+// Such a wave falls as exp(-lambda t), lambda of the lattice from one short step:
+// the error of steps, which may differ from each other, falls with their square
+TEST(PeriodicFlow, shearWaveIsOfSecondOrderInTime)
+{
+    const int n = 12;
+    const double k = 2*M_PI/(n*0.01), U = 1e-6;
+    const auto left =
+        [&](const scalarList& steps, const std::string& implicitness)
+    {
+        particleCloud cloud(box({n, 7, 1}, 0));
+        cloud.setVelocity
+        (
+            [&](double x, double, double)
+            {
+                return vector3{0, U*std::sin(k*x), 0};
+            }
+        );
+        schemeCase scheme
+        (
+            cloud, numerics("1e-10") + " implicitness " + implicitness + ";"
+        );
+        const double before = energy(scheme.system.fluid);
+        scheme.scheme->start();
+        for (const scalar deltaT : steps)
+        {
+            scheme.scheme->advance(deltaT);
+        }
+        return std::sqrt(energy(scheme.system.fluid)/before);
+    };
+
+    const double end = 0.05;
+    const double first = left(scalarList{1e-3}, "0.6");
+    const double lambda = 2*(1 - first)/(1 + first)/1e-3;
+    EXPECT_GT(lambda*end, 1);
+    // Pairs of steps whose lengths are as 1 to ratio
+    const auto error =
+        [&](const label nPairs, const scalar ratio, const std::string& theta)
+    {
+        scalarList steps(2*nPairs);
+        forAll(steps, i)
+        {
+            steps[i] = end/nPairs*(i % 2 ? ratio : 1)/(1 + ratio);
+        }
+        return std::abs(left(steps, theta)/std::exp(-lambda*end) - 1);
+    };
+
+    for (const std::string theta : {"0.5", "0.6", "0.75"})
+    {
+        EXPECT_NEAR(std::log2(error(8, 1, theta)/error(16, 1, theta)), 2, 0.25)
+            << theta;
+    }
+    EXPECT_NEAR(std::log2(error(8, 3, "0.6")/error(16, 3, "0.6")), 2, 0.25);
+    EXPECT_NEAR(std::log2(error(8, 1, "1")/error(16, 1, "1")), 1, 0.25);
+    RecordProperty("8 pairs", std::to_string(error(8, 1, "0.6")));
+    EXPECT_LT(error(8, 1, "0.6"), 0.1*error(8, 1, "1"));
 }
 
 
