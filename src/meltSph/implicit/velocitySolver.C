@@ -68,7 +68,7 @@ Foam::melt::iterationResult Foam::melt::velocitySolver::iterate
     // Round-off of the velocities, in the norm of the kinetic energy, or less
     // where so much is asked for
     const double negligible =
-        sqr(std::min(1e3*SMALL, 0.01*tolerance_))
+        sqr(std::min(1e3*SMALL, std::max(SMALL, 0.01*tolerance_)))
        *blockSum
         (
             n,

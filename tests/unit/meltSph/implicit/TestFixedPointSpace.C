@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
 using namespace Foam::melt;
@@ -48,6 +50,27 @@ TEST(FixedPointSpace, differencesAreFine)
                 EXPECT_EQ(difference(space, a, b), -difference(space, b, a));
             }
         }
+    }
+}
+
+
+// A scene mirrored in a plane has differences that are exactly mirrored, but where
+// round-off of the coordinates turns one the other way
+TEST(FixedPointSpace, mirroredCoordinatesHaveMirroredPlaces)
+{
+    std::mt19937 generator(5);
+    std::uniform_real_distribution<double> coordinate(0, 0.3);
+    std::vector<double> x;
+    for (int i = 0; i < 1000; ++i)
+    {
+        x.push_back(coordinate(generator));
+        x.push_back(-x.back());
+    }
+    const fixedPointSpace space(along(x), periodicBox());
+    const std::uint32_t sum = space.place(x[0], 0) + space.place(x[1], 0);
+    for (std::size_t i = 0; i < x.size(); i += 2)
+    {
+        EXPECT_EQ(space.place(x[i], 0) + space.place(x[i + 1], 0), sum) << x[i];
     }
 }
 
