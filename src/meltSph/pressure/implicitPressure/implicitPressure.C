@@ -188,7 +188,7 @@ void Foam::melt::implicitPressure::limit(timeStepControl& control) const
                 solid && solid[i] ? 0
               : std::max(c2*(f.rho[i] - rho0) + background_, 0.0);
             const double pressing = std::sqrt(p/f.rho[i])/h;
-            return eta.empty() ? pressing : std::min(pressing, p/eta[i]);
+            return eta.empty() ? pressing : std::min(pressing, 2*p/eta[i]);
         }
     );
     if (!(stiffness <= 0))

@@ -41,7 +41,7 @@ Foam::melt::incompressible::incompressible
     }
     implicitness_ = checkedEntry::getOrDefault
     (
-        dict, "implicitness", dimless, scalarMinMax(0.5, 1), 0.75
+        dict, "implicitness", dimless, scalarMinMax(0.5, 1), 0.7
     );
     if (effects("XSPH") && dict.found("XSPH"))
     {
