@@ -128,7 +128,7 @@ TEST(ImplicitPressure, pressureLimitsTheStep)
         scheme.scheme->limits().deltaT(), 0.6*h/std::sqrt(p/f.rho[5]), 1e-12
     );
     f.eta.assign(f.size(), 1e3);
-    EXPECT_NEAR(scheme.scheme->limits().deltaT(), 0.6*1e3/p, 1e-12);
+    EXPECT_NEAR(scheme.scheme->limits().deltaT(), 0.6*1e3/(2*p), 1e-12);
 }
 
 
