@@ -10,6 +10,34 @@
 
 #include <algorithm>
 
+namespace Foam
+{
+namespace melt
+{
+namespace
+{
+
+//- (x y z) = b r of a particle
+[[gnu::always_inline]] inline void multiplyBlock
+(
+    const implicitOperator::blocks& b,
+    const vectorArray& r,
+    const int i,
+    double& x,
+    double& y,
+    double& z
+)
+{
+    x = b[0][i]*r.x[i] + b[1][i]*r.y[i] + b[2][i]*r.z[i];
+    y = b[1][i]*r.x[i] + b[3][i]*r.y[i] + b[4][i]*r.z[i];
+    z = b[2][i]*r.x[i] + b[4][i]*r.y[i] + b[5][i]*r.z[i];
+}
+
+} // End anonymous namespace
+} // End namespace melt
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::melt::velocitySystem::addForces
@@ -196,16 +224,16 @@ void Foam::melt::velocitySystem::precondition
 )
 {
     const std::vector<double>& m = system_->fluid.m;
-    const implicitOperator::blocks& b = inverse_;
     const int n = r.size();
 
     #pragma omp parallel for simd schedule(static)
     for (int i = 0; i < n; ++i)
     {
-        const double x = r.x[i], y = r.y[i], w = r.z[i];
-        z.x[i] = Number(b[0][i]*x + b[1][i]*y + b[2][i]*w);
-        z.y[i] = Number(b[1][i]*x + b[3][i]*y + b[4][i]*w);
-        z.z[i] = Number(b[2][i]*x + b[4][i]*y + b[5][i]*w);
+        double x, y, w;
+        multiplyBlock(inverse_, r, i, x, y, w);
+        z.x[i] = Number(x);
+        z.y[i] = Number(y);
+        z.z[i] = Number(w);
     }
     // Of bodies their mass alone: r is that of a rigid motion already
     for (int i = 0; solids_ && i < n; ++i)
@@ -245,9 +273,7 @@ void Foam::melt::velocitySystem::addRemainder
         // Bodies stay rigid
         if (!solids_ || !solids_->solid(i))
         {
-            x = b[0][i]*r.x[i] + b[1][i]*r.y[i] + b[2][i]*r.z[i];
-            y = b[1][i]*r.x[i] + b[3][i]*r.y[i] + b[4][i]*r.z[i];
-            z = b[2][i]*r.x[i] + b[4][i]*r.y[i] + b[5][i]*r.z[i];
+            multiplyBlock(b, r, i, x, y, z);
         }
         v.x[i] += x;
         v.y[i] += y;

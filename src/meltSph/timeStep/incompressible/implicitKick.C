@@ -88,19 +88,34 @@ void Foam::melt::implicitKick::setLead(const scalar dt)
 }
 
 
-void Foam::melt::implicitKick::setPredicted(const scalar share)
+void Foam::melt::implicitKick::predict
+(
+    const scalar share,
+    const std::vector<double>& ax,
+    const std::vector<double>& ay,
+    const std::vector<double>& az,
+    std::vector<double>& u,
+    std::vector<double>& v,
+    std::vector<double>& w
+) const
 {
-    particles& f = system_.fluid;
-    const int n = f.size();
+    const int n = system_.fluid.size();
 
     #pragma omp parallel for schedule(static)
     for (int i = 0; i < n; ++i)
     {
-        const vector v(unforced(i));
-        f.u[i] = v.x() + share*f.ax[i];
-        f.v[i] = v.y() + share*f.ay[i];
-        f.w[i] = v.z() + share*f.az[i];
+        const vector start(unforced(i));
+        u[i] = start.x() + share*ax[i];
+        v[i] = start.y() + share*ay[i];
+        w[i] = start.z() + share*az[i];
     }
+}
+
+
+void Foam::melt::implicitKick::setPredicted(const scalar share)
+{
+    particles& f = system_.fluid;
+    predict(share, f.ax, f.ay, f.az, f.u, f.v, f.w);
 }
 
 
@@ -229,7 +244,6 @@ void Foam::melt::implicitKick::takeBack()
 bool Foam::melt::implicitKick::solve(const scalar dt)
 {
     const particles& f = system_.fluid;
-    const int n = f.size();
     const bool solids = equations_.solids();
     if (solids)
     {
@@ -241,15 +255,8 @@ bool Foam::melt::implicitKick::solve(const scalar dt)
     // step. The first guess goes on as the step before did
     const double share = system_.implicitness*dt;
     vectorArray& guess = equations_.guess();
-    guess.resize(n);
-    #pragma omp parallel for schedule(static)
-    for (int i = 0; i < n; ++i)
-    {
-        const vector v(unforced(i));
-        guess.x[i] = v.x() + share*f.axOld[i];
-        guess.y[i] = v.y() + share*f.ayOld[i];
-        guess.z[i] = v.z() + share*f.azOld[i];
-    }
+    guess.resize(f.size());
+    predict(share, f.axOld, f.ayOld, f.azOld, guess.x, guess.y, guess.z);
     for (label nSolved = 1; ; ++nSolved)
     {
         setPredicted(share);

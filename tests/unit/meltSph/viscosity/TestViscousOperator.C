@@ -6,15 +6,9 @@
 
 #include "harmonicViscosity.H"
 #include "meltSph/particleCloud/cloudVectors.H"
-#include "meltSph/timeStep/schemeCase.H"
-#include "solidBody.H"
-#include "velocitySolver.H"
-#include "viscousOperator.H"
+#include "meltSph/viscosity/viscousCase.H"
 
 #include <gtest/gtest.h>
-
-#include <limits>
-#include <numeric>
 
 namespace Foam
 {
@@ -24,66 +18,6 @@ namespace unitTest
 {
 namespace
 {
-
-//- A disordered lump, its viscosities spread over four decades
-particleCloud lump(const unsigned seed)
-{
-    particleCloud cloud
-    (
-        lattice
-        {
-            {7, 8, 6}, 0.01, smoothingKernel::kernelType::wendlandC2, 1.3, 0.2
-        },
-        seed
-    );
-    for (double& eta : cloud.fluid.eta)
-    {
-        eta = std::pow(10.0, cloud.random(-1, 3));
-    }
-    return cloud;
-}
-
-
-//- An operator over a cloud
-struct operatorCase
-{
-    schemeCase scheme;
-    dictionary dict;
-    autoPtr<viscousOperator> viscous;
-
-    operatorCase
-    (
-        const particleCloud& cloud,
-        const std::string& type,
-        const scalar centralShare = 0.1
-    )
-    :
-        scheme(cloud, springAndDamper(1, 0)),
-        dict
-        (
-            IStringStream
-            (
-                "type implicitViscosity; operator " + type
-              + "; centralShare " + std::to_string(centralShare)
-              + "; maxCondition 100;"
-            )()
-        ),
-        viscous(viscousOperator::New(dict, scheme.system))
-    {
-        scheme.system.near = cloud.near;
-        scheme.system.walls = cloud.walls;
-        scheme.system.fluid = cloud.fluid;
-        viscous->update(1);
-    }
-
-    vectorArray force(const vectorArray& v, const double wallFactor = 0)
-    {
-        vectorArray f(v.size());
-        viscous->addForce(v, wallFactor, f);
-        return f;
-    }
-};
-
 
 class ViscousOperator
 :
@@ -103,7 +37,7 @@ TEST_P(ViscousOperator, isSymmetricAndDissipativeAlsoAtAWall)
     particleCloud cloud(lump(3));
     cloud.addWall(1, false);
     cloud.build();
-    operatorCase test(cloud, GetParam());
+    viscousCase test(cloud, GetParam());
 
     for (int repeat = 0; repeat < 5; ++repeat)
     {
@@ -120,7 +54,7 @@ TEST_P(ViscousOperator, isSymmetricAndDissipativeAlsoAtAWall)
 TEST_P(ViscousOperator, keepsBothMomentaAndLetsALumpTurn)
 {
     particleCloud cloud(lump(4));
-    operatorCase test(cloud, GetParam());
+    viscousCase test(cloud, GetParam());
     const particles& f = test.scheme.system.fluid;
     const int n = f.size();
 
@@ -170,7 +104,7 @@ TEST_P(ViscousOperator, standsSingleParticlesAndSheets)
         cloud.build();
         std::fill(cloud.fluid.eta.begin(), cloud.fluid.eta.end(), 100);
 
-        operatorCase test(cloud, GetParam());
+        viscousCase test(cloud, GetParam());
         const vectorArray v(randomVelocity(cloud));
         EXPECT_TRUE(std::isfinite(norm(test.force(v))));
     }
@@ -180,7 +114,7 @@ TEST_P(ViscousOperator, standsSingleParticlesAndSheets)
 TEST(AdjointViscosity, dissipatesWhatShearingCostsUpToTheFreeSurface)
 {
     particleCloud cloud(lump(5));
-    operatorCase test(cloud, "adjoint", 0);
+    viscousCase test(cloud, "adjoint", 0);
     const particles& f = test.scheme.system.fluid;
 
     // Simple shear at 2 1/s: the power is eta times the shear rate squared
@@ -209,7 +143,7 @@ TEST_P(ViscousOperator, diagonalBlocksAreThoseOfTheOperator)
             cloud.addWall(1, false);
             cloud.build();
         }
-        operatorCase test(cloud, GetParam());
+        viscousCase test(cloud, GetParam());
         implicitOperator::blocks blocks;
         for (std::vector<float>& component : blocks)
         {
@@ -295,7 +229,7 @@ TEST(AdjointViscosity, movingWallPullsAndAWallThatMovesAlongDoesNot)
     }
     for (const std::string type : {"adjoint", "central"})
     {
-        operatorCase test(cloud, type);
+        viscousCase test(cloud, type);
         vectorArray v(cloud.size());
         const vectorArray pull(test.force(v, 1));
         EXPECT_GT(blockSum(v.size(), [&](int i) { return pull.x[i]; }), 0);
@@ -303,129 +237,6 @@ TEST(AdjointViscosity, movingWallPullsAndAWallThatMovesAlongDoesNot)
         std::fill(v.x.begin(), v.x.end(), 0.5);
         EXPECT_LT(norm(test.force(v, 1)), 1e-11*norm(pull));
     }
-}
-
-
-TEST_P(ViscousOperator, implicitStepKeepsMomentumAndTakesOutMoreEnergyTheLongerItIs)
-{
-    particleCloud cloud(lump(7));
-    cloud.randomiseVelocity(1);
-
-    double before = std::numeric_limits<double>::max();
-    for (const scalar deltaT : {1e-7, 1e-5, 1e-3})
-    {
-        operatorCase test(cloud, GetParam());
-        sphSystem& s = test.scheme.system;
-        particles& f = s.fluid;
-        velocitySolver solver
-        (
-            dictionary(IStringStream("tolerance 1e-9; maxIterations 3000;")())
-        );
-        solver.add(*test.viscous);
-
-        const auto momentum = [&]()
-        {
-            return blockSum(f.size(), [&](int i) { return f.m[i]*f.u[i]; });
-        };
-        const double p0 = momentum();
-        solver.guess().assign(f.u, f.v, f.w);
-        ASSERT_TRUE(solver.solve(s, deltaT));
-        EXPECT_NEAR(momentum(), p0, 1e-8*f.m[0]*f.size());
-
-        const double energy = blockSum
-        (
-            f.size(),
-            [&](int i)
-            {
-                return f.m[i]
-                   *(f.u[i]*f.u[i] + f.v[i]*f.v[i] + f.w[i]*f.w[i]);
-            }
-        );
-        EXPECT_LT(energy, before);
-        before = energy;
-    }
-}
-
-
-TEST_P(ViscousOperator, looseToleranceDoesNotShakeStiffMelt)
-{
-    particleCloud cloud(lump(8));
-    std::fill(cloud.fluid.eta.begin(), cloud.fluid.eta.end(), 1e4);
-    cloud.randomiseVelocity(1);
-    operatorCase test(cloud, GetParam());
-    sphSystem& s = test.scheme.system;
-    particles& f = s.fluid;
-    velocitySolver solver(dictionary(IStringStream("tolerance 1e-3;")()));
-    solver.add(*test.viscous);
-
-    // In a second it comes to move as a rigid body of the same momenta
-    solidBody lump;
-    lump.members.resize(f.size());
-    std::iota(lump.members.begin(), lump.members.end(), 0);
-    lump.setGeometry(f);
-    lump.setMotion(f, f.u, f.v, f.w);
-    const vector U(lump.U), L(lump.L);
-    vectorArray strain(f.size());
-    lump.setVelocities(f, strain.x, strain.y, strain.z);
-
-    solver.guess().assign(f.u, f.v, f.w);
-    ASSERT_TRUE(solver.solve(s, 1));
-
-    lump.setMotion(f, f.u, f.v, f.w);
-    EXPECT_LT(mag(lump.U - U), 1e-14);
-    EXPECT_LT(mag(lump.L - L), 1e-10*lump.mass*0.01);
-    vectorArray v;
-    v.assign(f.u, f.v, f.w);
-    strain.add(-1, v);
-    // Each particle's share of the residual, over its mass, would be 1e-3
-    EXPECT_LT(norm(strain), 1e-4*std::sqrt(f.size()));
-}
-
-
-TEST_P(ViscousOperator, solvesSmallChangesOfFastMeltToItsTolerance)
-{
-    // The tolerance is that of changes, far below the round-off that a solver of
-    // a coarser one takes of the speed, 1e-12
-    particleCloud cloud = lump(17);
-    const vectorArray start(randomVelocity(cloud));
-    const scalar speed = 1, change = 1e-3, tolerance = 1e-13;
-
-    const auto solve = [&](const scalar frame)
-    {
-        operatorCase test(cloud, GetParam());
-        sphSystem& s = test.scheme.system;
-        particles& f = s.fluid;
-        for (int i = 0; i < f.size(); ++i)
-        {
-            f.u[i] = frame + change*start.x[i];
-            f.v[i] = change*start.y[i];
-            f.w[i] = change*start.z[i];
-        }
-        velocitySolver solver
-        (
-            dictionary
-            (
-                IStringStream
-                (
-                    "tolerance " + name(tolerance) + "; maxIterations 3000;"
-                )()
-            )
-        );
-        solver.add(*test.viscous);
-        solver.guess().assign(f.u, f.v, f.w);
-        EXPECT_TRUE(solver.solve(s, 1e-3));
-        vectorArray v;
-        v.assign(f.u, f.v, f.w);
-        for (double& u : v.x)
-        {
-            u -= frame;
-        }
-        return v;
-    };
-
-    vectorArray difference(solve(speed));
-    difference.add(-1, solve(0));
-    EXPECT_LT(norm(difference)/std::sqrt(difference.size()), 3e-14);
 }
 
 } // End namespace unitTest
